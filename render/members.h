@@ -1,4 +1,4 @@
-// The members of a plain struct, without a list of them that somebody could forget to extend.
+// The members of a plain struct, without a list of them that could be forgotten when a member is added.
 #pragma once
 #include <cstddef>
 #include <tuple>

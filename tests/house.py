@@ -13,6 +13,9 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+import house_sizes  # beside this file
+
 GIVEN = [given for given in sys.argv[1:] if given != "--sizes"]
 SOURCE = Path(GIVEN[0] if GIVEN else Path(__file__).parent.parent)
 ROOMS = ("analysis", "render", "sweep")
@@ -77,12 +80,6 @@ def internal_complaints():
                 yield f"{path}: includes {name}, which is internal to {rooms[name]}"
 
 
-LONGEST_FILE, LONGEST_FUNCTION = 250, 60
-# A file that is longer says why in the comment at its head, a function in the comment above it.
-IN_ONE_FILE = re.compile(r"^// In one file: (.+)\.$", re.MULTILINE)
-IN_ONE_PIECE = re.compile(r"// In one piece: (.+)\.$")
-
-
 NAMED_FILE = re.compile(r"\b(?:" + "|".join(ROOMS) + r")/[\w/.-]+\.(?:h|cpp)\b")
 
 
@@ -95,63 +92,6 @@ def comment_complaints():
             for name in NAMED_FILE.findall(line[line.index("//"):]):
                 if not (SOURCE / name).exists():
                     yield f"{path}:{number}: names {name}, which is not there"
-
-
-def functions(lines):
-    """Name, lines from brace to brace, and the reason to stay whole. A body opens and closes with a brace of its own line;
-    a lambda with a name, outside functions, opens at the end of its line."""
-    at = 0
-    while at < len(lines):
-        if lambda_named := re.match(r"(?:\w+ )*auto (\w+) = \[.*\{$", lines[at]):
-            end = next((i for i in range(at, len(lines)) if lines[i] == "};"), at)
-            why = IN_ONE_PIECE.search(lines[at - 1]) if at else None
-            yield lambda_named.group(1), end - at + 1, why.group(1) if why else ""
-            at = end
-        opens = re.fullmatch(r"( *)\{", lines[at])
-        start = at
-        while start > 0 and lines[start - 1].strip():
-            start -= 1
-        head = " ".join(line.strip() for line in lines[start:at] if not line.lstrip().startswith("//"))
-        named = re.search(r"(\w+|operator\S+)\(.*\)(?: const| override| noexcept)*(?: -> .+?)?(?: requires .+?)?(?: : .*)?$", head)
-        if opens and named:
-            end = next((i for i in range(at, len(lines)) if lines[i] == opens.group(1) + "}"), at)
-            why = next((found.group(1) for line in lines[start:at] if (found := IN_ONE_PIECE.search(line))), "")
-            yield head[:head.find("(")].split(" ")[-1], end - at + 1, why
-            at = end
-        at += 1
-
-
-def sizes():
-    """Files and functions beyond the limits."""
-    for path in files():
-        lines = (SOURCE / path).read_text(encoding="utf-8").split("\n")
-        if len(lines) - 1 > LONGEST_FILE:
-            why = IN_ONE_FILE.search("\n".join(lines))
-            yield len(lines) - 1, f"{path}: {why.group(1) if why else 'no reason given'}"
-        for name, count, why in functions(lines):
-            if count > LONGEST_FUNCTION:
-                yield count, f"{path} {name}(): {why or 'no reason given'}"
-
-
-def size_complaints():
-    for path in files():
-        text = (SOURCE / path).read_text(encoding="utf-8")
-        count, whys = text.count("\n"), IN_ONE_FILE.findall(text)
-        if count > LONGEST_FILE and not whys:
-            yield (f"{path}: has {count} lines; part it where it holds two things, or say at its head "
-                   f"\"// In one file: WHY.\"")
-        if whys and (count <= LONGEST_FILE or len(whys) > 1 or not IN_ONE_FILE.search(text.split("#include")[0])):
-            yield f"{path}: a reason to stay in one file is not needed, stands twice or not at its head"
-        reasons = 0
-        for name, count, why in functions(text.split("\n")):
-            reasons += bool(why)
-            if count > LONGEST_FUNCTION and not why:
-                yield (f"{path}: {name}() has {count} lines; part it where a part has a name, or say above it "
-                       f"\"// In one piece: WHY.\"")
-            if count <= LONGEST_FUNCTION and why:
-                yield f"{path}: {name}() has {count} lines and needs no reason to stay in one piece"
-        if text.count("// In one piece:") != reasons:
-            yield f"{path}: a reason to stay in one piece stands above no function"
 
 
 # What decides an answer of the diagnosis has a name, a reason and its evidence in one file.
@@ -262,7 +202,7 @@ def circles(arrows):
 
 def main():
     if "--sizes" in sys.argv:
-        for count, what in sorted(sizes(), reverse=True):
+        for count, what in sorted(house_sizes.sizes(SOURCE, files()), reverse=True):
             print(f"{count:4} {what}")
         return 0
     wrong, arrows, because, counted = [], defaultdict(set), {}, defaultdict(int)
@@ -286,7 +226,7 @@ def main():
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
     wrong += internal_complaints()
     wrong += public_complaints()
-    wrong += size_complaints()
+    wrong += house_sizes.complaints(SOURCE, files())
     wrong += comment_complaints()
     wrong += policy_complaints()
     wrong += own_threshold_complaints()

@@ -30,7 +30,7 @@ struct Kernel {
     double V_star = 0;
     ShortList<KernelExponential, max_states> exponentials{};
     DelayList impulses{};
-    std::string table_name;  ///< "table" in files: where the samples come from; whoever reads files fills `samples`
+    std::string table_name;  ///< "table" in files: where the samples come from; the reader of files fills `samples`
     KernelTablePtr samples;
 
     static constexpr LawInfo info{

@@ -9,7 +9,7 @@ namespace stickslip {
 
 enum class ControlKind { position, force };
 enum class Feedback { motor, link };
-/// `unstated`: a difference of readings, but nobody said so; a sampled loop with damping wants it said.
+/// `unstated`: a difference of readings by default; a sampled loop with damping requires that it is stated.
 enum class EstimateForm { unstated, backward_difference, exact };
 enum class Structure { pid, cascade };
 enum class AntiWindup { none, clamp, back_calculation, conditional };

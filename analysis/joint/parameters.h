@@ -29,7 +29,7 @@ double* find_parameter(Joint& joint, std::string_view path);
 double& number_at(Joint& joint, const std::string& path);
 
 /// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
-/// `table` is to be filled by whoever reads files. check() complains about a named table that was not filled.
+/// the reader of files fills `table`. check() complains about a named table that was not filled.
 struct TableSlot {
     std::string path;
     const std::string* name = nullptr;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t fewest_to_last = 16;  ///< turns whose halves are compared
 constexpr double same_mean = 3;             ///< difference of the means of halves, per the error of such a difference
-constexpr double same_spread = 2;           ///< ratio of the spreads of halves: ten turns of each tell it to a quarter
+constexpr double same_spread = 2;           ///< ratio of the spreads of halves: ten turns of each give it to a quarter
 
 }  // namespace
 

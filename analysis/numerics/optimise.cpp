@@ -13,19 +13,19 @@ constexpr double slack = 1e-9;   ///< of a constraint
 constexpr double precision = 1e-9;
 
 /// A function for NLopt, which loses what is thrown inside: it is kept until NLopt has returned.
-struct Asked {
+struct Call {
     const Objective* function;
     std::exception_ptr* thrown;
 };
 
 double call(const std::vector<double>& x, std::vector<double>&, void* data)
 {
-    const auto& asked = *static_cast<const Asked*>(data);
+    const auto& call = *static_cast<const Call*>(data);
     try {
-        const double value = (*asked.function)(x);
+        const double value = (*call.function)(x);
         return std::isnan(value) ? never : std::clamp(value, -never, never);
     } catch (...) {
-        *asked.thrown = std::current_exception();
+        *call.thrown = std::current_exception();
         throw nlopt::forced_stop();
     }
 }
@@ -54,25 +54,25 @@ std::vector<double> steps(const Bounds& bounds, double share)
 
 }  // namespace
 
-std::vector<double> minimum(const Minimisation& asked, const Objective& objective, std::vector<double> x)
+std::vector<double> minimum(const Minimisation& problem, const Objective& objective, std::vector<double> x)
 {
-    const auto& bounds = asked.bounds;
-    nlopt::opt search(algorithm_of(asked.method), static_cast<unsigned>(x.size()));
+    const auto& bounds = problem.bounds;
+    nlopt::opt search(algorithm_of(problem.method), static_cast<unsigned>(x.size()));
     std::exception_ptr thrown;
-    std::vector<Asked> functions{{&objective, &thrown}};
-    for (const auto& g : asked.constraints) functions.push_back({&g, &thrown});
+    std::vector<Call> functions{{&objective, &thrown}};
+    for (const auto& g : problem.constraints) functions.push_back({&g, &thrown});
     search.set_min_objective(call, &functions[0]);
     for (std::size_t i = 1; i < functions.size(); ++i) search.add_inequality_constraint(call, &functions[i], slack / 2);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::clamp(x[i], bounds.low[i], bounds.high[i]);
     search.set_lower_bounds(bounds.low);
     search.set_upper_bounds(bounds.high);
-    if (!asked.first_step.empty()) search.set_initial_step(asked.first_step);
-    search.set_maxeval(asked.evaluations);
-    search.set_xtol_rel(asked.xtol_rel);
-    search.set_xtol_abs(asked.xtol_abs);
-    search.set_ftol_rel(asked.ftol_rel);
-    search.set_ftol_abs(asked.ftol_abs);
-    search.set_stopval(asked.stop_below);
+    if (!problem.first_step.empty()) search.set_initial_step(problem.first_step);
+    search.set_maxeval(problem.evaluations);
+    search.set_xtol_rel(problem.xtol_rel);
+    search.set_xtol_abs(problem.xtol_abs);
+    search.set_ftol_rel(problem.ftol_rel);
+    search.set_ftol_abs(problem.ftol_abs);
+    search.set_stopval(problem.stop_below);
     double value = 0;
     try {
         search.optimize(x, value);

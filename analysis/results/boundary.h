@@ -96,7 +96,7 @@ struct LocatedRay {
     Reason reason = Reason::none;  ///< why the first node has none, where no node has one
     int climbed = 0;               ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;
-    double stable_share = 0;   ///< of the scanned nodes: tells all stable from none where there is no boundary
+    double stable_share = 0;   ///< of the scanned nodes: without a boundary, 1 if all are stable, 0 if none
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
     /// Folds found by simulation alone: as a share of the range, the widest strip of cycles beside a linear boundary
     /// that the scan does not exclude; 0 where the branch of cycles is followed from there.
@@ -110,7 +110,7 @@ struct FollowedBoundary {
     Axis x, y;  ///< values: only the ends
     std::vector<CurvePiece> pieces;
     CurveGuard guard;
-    bool by_sides = false;  ///< folds that only simulation tells
+    bool by_sides = false;  ///< folds found by simulation
     int evaluations = 0;    ///< all, guard included
 
     int points() const;

@@ -18,12 +18,12 @@ struct GainChoice {
     double cost = missing;            ///< what was minimised
 };
 
-/// A demand and how it fared.
+/// A requirement, what was specified, and what the best gains achieve.
 struct DemandReport {
     std::string name;  ///< "margin" | "effort_limit" | "least_velocity"
     double demanded = missing;
     double reached = missing;     ///< by the best gains
-    double attainable = missing;  ///< the most that gains can do for it while every other demand is met
+    double attainable = missing;  ///< the most that gains can do for it while every other requirement is met
     bool others_met = true;       ///< false: the others contradict one another; attainable is then of this one alone
     bool met = false;
 };
@@ -31,13 +31,13 @@ struct DemandReport {
 struct GainDesign {
     bool decided = false;  ///< the joint slides and can be judged
     bool feasible = false;
-    /// Infeasible: all demands but one met and that one violated least, or where no such gains exist, all violated
+    /// Infeasible: all requirements but one met and that one violated least, or where no such gains exist, all violated
     /// least. Its cost is NaN or infinite where the objective is no number for any gains.
     GainChoice best;
     double margin_reach = missing;   ///< margins are looked for up to here; that much means: at least that much
     double steady_effort = missing;  ///< what steady sliding takes without any noise
     std::vector<DemandReport> demands;
-    std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other demands met
+    std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other requirements met
     bool velocity_only_found = false;  ///< whether velocity-only thinking finds gains at all
     GainChoice velocity_only;          ///< its choice, judged with memory
     GainChoice as_joint;               ///< the joint's own gains

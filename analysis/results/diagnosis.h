@@ -129,7 +129,7 @@ struct OverallGap {
     bool worse() const { return left() > 1; }
 };
 
-/// The force that drives the joint, low-passed, against what the model asks for along the measured motion: RMS over
+/// The force that drives the joint, low-passed, against what the model requires along the measured motion: RMS over
 /// held-out data with the nuisance parameters refitted, without and with the first cause. corner 0: not judged.
 struct DriveForceGap {
     std::string unit;

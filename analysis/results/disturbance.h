@@ -5,7 +5,7 @@
 namespace stickslip {
 
 /// What a disturbance changes of steady sliding. `position` and `velocity` keep the balance of forces by the state
-/// where the law has one: a change of V alone dies in the fast inertial mode at small V_0 and tells nothing of the slow
+/// where the law has one: a change of V alone dies in the fast inertial mode at small V_0 and shows nothing of the slow
 /// one.
 enum class DisturbanceKind {
     position,  ///< an offset of position [m], forces balanced

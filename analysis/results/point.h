@@ -52,7 +52,7 @@ inline constexpr std::uint8_t verdict_missing = 2, verdict_neutral = 3;
 
 struct PointResult {
     // linear theory
-    double k_v_min = missing;            ///< least velocity gain that the velocity-only theory asks for
+    double k_v_min = missing;            ///< least velocity gain that the velocity-only theory requires
     double spectral_abscissa = missing;  ///< max Re s of the joint with memory
     double k_cr = missing;               ///< critical position gain; NaN where no single one exists
     double omega = missing;              ///< frequency at the critical gain

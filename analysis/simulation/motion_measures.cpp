@@ -36,13 +36,13 @@ void measure_stairs(MotionMeasures& m, Rows time, Rows reference, Rows position,
     double stop_time = 0, stop_place = 0, last_time = 0, last_place = 0, heights = 0, durations = 0;
     int steps = 0;
     for (std::size_t i = 1; i <= stop; ++i) {
-        const double asked = reference[i] - reference[i - 1], made = std::abs(position[i] - position[i - 1]);
-        if (asked == 0) continue;
-        if ((asked > 0) != forward) forward = asked > 0, moved = of_a_stair = after_a_stair = false;
-        if (!stopped && made < stop_share * std::abs(asked)) {
+        const double commanded = reference[i] - reference[i - 1], made = std::abs(position[i] - position[i - 1]);
+        if (commanded == 0) continue;
+        if ((commanded > 0) != forward) forward = commanded > 0, moved = of_a_stair = after_a_stair = false;
+        if (!stopped && made < stop_share * std::abs(commanded)) {
             stopped = true, of_a_stair = moved;
             stop_time = time[i], stop_place = position[i];
-        } else if (made > go_share * std::abs(asked)) {
+        } else if (made > go_share * std::abs(commanded)) {
             moved = true;
             if (!stopped) continue;
             stopped = false;

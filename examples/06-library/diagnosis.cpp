@@ -1,4 +1,4 @@
-// A record of a joint that carries a load nobody documented, and what the diagnosis makes of it.
+// A record of a joint that carries an undocumented load, and what the diagnosis makes of it.
 #include <stickslip/diagnosis.h>
 #include <stickslip/loop_record.h>
 

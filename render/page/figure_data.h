@@ -11,8 +11,8 @@ namespace stickslip::drawing {
 /// For the page's script.
 std::string figure_data(const Figure& figure, const RenderedFigure& rendered);
 
-/// Whether a picture is a time series too long to be read as it is printed.
-bool zoomable(const Picture& picture);
+/// Left, top, width and height of a data area, as shares of the picture.
+std::string area_data(const PlotArea& area, const RenderedFigure& rendered);
 
 /// One axis: symbol, unit, range, values.
 std::string axis_data(const Axis& axis, Units units);

@@ -2,6 +2,7 @@
 #include "render/marked_page.h"
 #include "render/page/figure_data.h"
 #include "render/page/html.h"
+#include "render/page/line_data.h"
 #include "render/page/page_table.h"
 #include "render/page/sources.h"
 

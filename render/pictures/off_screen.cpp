@@ -47,7 +47,7 @@ bool load_entry_points(std::string& reason)
     return false;
 }
 
-/// VTK's window for a context that somebody else made current; here that somebody is the class itself.
+/// VTK's window for a context that its user has made current; here the user is the class itself.
 class SurfacelessWindow : public vtkGenericOpenGLRenderWindow {
   public:
     static SurfacelessWindow* New();

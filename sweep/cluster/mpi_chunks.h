@@ -24,7 +24,7 @@ class LeaderChunks : public ClusterChunks {
     std::thread service_;
 };
 
-/// Any other rank: its threads share one batch, and whoever finds it empty fetches the next.
+/// Any other rank: its threads share one batch, and the first to find it empty fetches the next.
 class FollowerChunks : public ClusterChunks {
   public:
     explicit FollowerChunks(IsDone is_done) : is_done_(std::move(is_done)) {}

@@ -8,7 +8,7 @@ void ProgressMeter::add(std::uint64_t points)
 {
     added_.fetch_add(points, std::memory_order_relaxed);
     if (!tell_) return;
-    const std::unique_lock lock(mutex_, std::try_to_lock);  // whoever comes while another tells need not wait
+    const std::unique_lock lock(mutex_, std::try_to_lock);  // a thread that comes while another reports need not wait
     if (!lock || seconds() < next_) return;
     next_ = seconds() + pause_;
     tell();

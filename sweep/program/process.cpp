@@ -37,9 +37,9 @@ void handle(void (*handler)(int), int flags)
 
 }  // namespace
 
-void leave_on_interrupts(std::string_view told)
+void leave_on_interrupts(std::string_view words)
 {
-    last_words = told;
+    last_words = words;
     handle(leave_at_once, 0);
 }
 

@@ -36,7 +36,7 @@ std::string quoted(const std::string& argument)
     return text + "'";
 }
 
-/// Whether the answer reached whoever reads it: a full disk shows only when the buffer is emptied.
+/// Whether the answer reached its reader: a full disk shows only when the buffer is emptied.
 bool answer_written()
 {
     std::cout.flush();  // help is written by way of it
@@ -88,7 +88,7 @@ void add_verbs(CLI::App& app, Invocation& invocation)
     add_man_page(app, invocation);
 }
 
-/// Says what the exception that is being handled means to whoever called, and with which code to end. `words` are the
+/// Says what the exception that is being handled means to the caller, and with which code to end. `words` are the
 /// arguments.
 int exit_after_failure(const CLI::App& app, const std::vector<std::string>& words)
 {

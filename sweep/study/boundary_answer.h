@@ -26,7 +26,7 @@ struct BoundaryAnswer {
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
     std::vector<Meeting> meetings = {};      ///< of the boundaries with the lines through the design
-    std::vector<BoundaryChart> charts = {};  ///< of the curves; none where somebody asked to stop before
+    std::vector<BoundaryChart> charts = {};  ///< of the curves; none where a stop was requested before
     std::string outcome_means;               ///< "position of 0.0001 m", mark-up, where outcomes were requested
     std::optional<SetPoint> set_point = {};  ///< of the design, where boundaries of hunting were requested
 };

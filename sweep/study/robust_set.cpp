@@ -59,9 +59,9 @@ RobustSet robust_set(const MarginsAnswer& a)
         const double worst = worst_case(joint, a.uncertainty, Curve::Kind::state_variable, false).instability;
         const auto stable = row_of(set.x.values, crossings(nominal_curve, v), described < 0);
         const auto always = row_of(set.x.values, crossings(robust_curve, v), worst < 0);
-        const bool told = !std::isnan(described) && !std::isnan(worst);
+        const bool decided = !std::isnan(described) && !std::isnan(worst);
         for (std::size_t i = 0; i < stable.size(); ++i)
-            set.classes.push_back(!told       ? RobustClass::no_verdict
+            set.classes.push_back(!decided    ? RobustClass::no_verdict
                                   : always[i] ? RobustClass::robust
                                   : stable[i] ? RobustClass::nominal_only
                                               : RobustClass::unstable);

@@ -1,4 +1,4 @@
-// How well answers to sealed cases agree with what was put into them. Plain data in, plain data out.
+// How well answers to blind test cases agree with what was put into them. Plain data in, plain data out.
 #pragma once
 #include <limits>
 #include <map>

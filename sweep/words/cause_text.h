@@ -1,4 +1,4 @@
-// What a diagnosis found, in the words and with the numbers of somebody who will change the machine or its model.
+// What a diagnosis found, in the words and with the numbers of an engineer who will change the machine or its model.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/diagnosis.h"

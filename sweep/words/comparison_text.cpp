@@ -71,7 +71,7 @@ std::string moved_words(const DiagnosisComparison& c)
         any |= change.in_both();
         if (!change.moved(standard_errors_of_a_move)) continue;
         const bool beside = change.of == FoundNumber::Of::correction && !c.kept.empty();
-        if (!beside && told(change, c)) text += " " + change_text(change) + ".";
+        if (!beside && is_reported(change, c)) text += " " + change_text(change) + ".";
     }
     if (!text.empty() || !any) return text;
     for (const auto& change : c.numbers)
@@ -110,7 +110,7 @@ std::string change_text(const NumberChange& c)
         with_error(c.after->value, c.after->standard_error, c.unit), plain_number(std::abs(c.standard_errors), 3));
 }
 
-bool told(const NumberChange& change, const DiagnosisComparison& step)
+bool is_reported(const NumberChange& change, const DiagnosisComparison& step)
 {
     if (change.of != FoundNumber::Of::parameter) return true;
     return std::none_of(step.numbers.begin(), step.numbers.end(),
@@ -148,7 +148,7 @@ Table changes_table(const DiagnosisComparison& c)
             {"number", "stands for", "before", "now", "change", "in standard errors"},
             {}};
     for (const auto& change : c.numbers) {
-        if (!told(change, c)) continue;
+        if (!is_reported(change, c)) continue;
         const char* of = change.of == FoundNumber::Of::sheet       ? "joint"
                          : change.of == FoundNumber::Of::parameter ? "cause"
                                                                    : "refitted";

@@ -10,7 +10,7 @@
 
 namespace stickslip {
 
-/// What the joint has, for somebody who will change it, as sure as the first cause is.
+/// What the joint has, for an engineer who will change it, as sure as the first cause is.
 std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& after);
 
 Headline what_card(const Diagnosis& d);

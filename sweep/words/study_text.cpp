@@ -71,8 +71,7 @@ std::string margins_reason_text(const std::vector<StudyReason>& reasons, double 
 
 std::string refused_text(const ReductionStudy& r)
 {
-    return r.unsearched ? "not searched within the usual effort for friction that answers late; --effort 10 does"
-                        : r.refused;
+    return r.unsearched ? "not searched within the usual effort for delayed friction; --effort 10 does" : r.refused;
 }
 
 std::string error_text(const ReductionStudy& r)

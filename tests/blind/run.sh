@@ -1,5 +1,5 @@
 #!/bin/sh
-# The full blind protocol with fresh seeds: make sealed cases with both engines, let the program diagnose them without the
+# The full blind protocol with fresh seeds: make blind test cases with both engines, let the program diagnose them without the
 # answers, open the answers and score.
 #   tests/blind/run.sh BUILD OUT [CASES]      CASES: how many of the own engine (default 60); MuJoCo makes half as many
 # A run is repeated with the seeds it printed: SEED=… tests/blind/run.sh …

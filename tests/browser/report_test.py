@@ -244,7 +244,7 @@ class Report(unittest.TestCase):
         left, top, width, height = self.area("#k-v-demanded")
         self.browser.move(left + width / 4, top + height / 4)
         lines = self.tip("#k-v-demanded").split("\n")
-        self.assertEqual(lines[0], "velocity alone")
+        self.assertEqual(lines[0], "velocity-only model")
         said = [float(line.split("= ")[1].split(" ")[0]) for line in lines[1:3]]
         near = min(samples, key=lambda s: abs(float(s[1]) / (said[0] * 1e-6) - 1) + (s[0] != lines[0]))
         self.assertIn("µm/s", lines[1])
@@ -338,7 +338,7 @@ class Report(unittest.TestCase):
         self.browser.open(self.pages["linear"])
         said = self.browser.run("const s = withText(document.querySelector('#k-v-demanded .sheet > svg'));"
                                 "return [...s.querySelectorAll('text')].map(t => t.textContent).join(' ')")
-        for words in ("Velocity gain that each theory requires", "velocity alone", "[N·s/m]", "commanded velocity"):
+        for words in ("Velocity gain that each theory requires", "velocity-only model", "[N·s/m]", "commanded velocity"):
             self.assertIn(words, said)
         self.assertEqual(self.browser.run("return withText(document.querySelector('#k-v-demanded .sheet > svg'))"
                                           ".querySelectorAll('path[data-text]').length"), 0)

@@ -218,7 +218,7 @@ with tempfile.TemporaryDirectory() as folder:
     for what in ("laws", "joints", "effects", "parameters", "keys"):
         check("list", json.loads(stickslip("list", what, "--json")))
     check("figures", json.loads(stickslip("figures", "--json", "-o", str(pathlib.Path(folder, "figures")))))
-    # a sealed case, answered and scored
+    # a blind test case, answered and scored
     cases, truth, score = (pathlib.Path(folder, name) for name in ("cases", "truth.json", "score.json"))
     (cases / "case-00").mkdir(parents=True)
     (cases / "case-00" / "joint.toml").write_text(LOOP, encoding="utf-8")

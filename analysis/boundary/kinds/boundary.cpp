@@ -216,12 +216,12 @@ Reason reason_of_no_verdict(Joint joint, const LocatedRay& ray)
 
 }  // namespace
 
-LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& asked)
+LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& requested)
 {
-    const Joint joint = prepared(given, asked.kind);
+    const Joint joint = prepared(given, requested.kind);
     Joint probe = joint;
     number_at(probe, axis.path);
-    auto request = completed(asked, joint, {axis});
+    auto request = completed(requested, joint, {axis});
     if (request.scan == 0) request.scan = scan_of(request.kind, axis);
     auto ray =
         request.kind == BoundaryKind::fold ? locate_folds(joint, axis, request) : locate_on_ray(joint, axis, request);
@@ -230,12 +230,12 @@ LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const Boundar
     return ray;
 }
 
-FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis& y, const BoundaryRequest& asked)
+FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis& y, const BoundaryRequest& requested)
 {
-    const Joint joint = prepared(given, asked.kind);
+    const Joint joint = prepared(given, requested.kind);
     Joint probe = joint;
     number_at(probe, x.path), number_at(probe, y.path);
-    const auto request = completed(asked, joint, {x, y});
+    const auto request = completed(requested, joint, {x, y});
     if (request.kind == BoundaryKind::v_min && y.path != "control.V0")
         throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, got " + y.path);
     if (request.kind == BoundaryKind::fold) return follow_folds(joint, x, y, request);

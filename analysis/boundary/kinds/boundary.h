@@ -16,8 +16,8 @@ struct BoundaryRequest {
     ParallelFor parallel;  ///< empty: one after the other
 };
 
-/// 1e-10 for the linear theories, 1e-6 for folds and hunting, 1e-4 for outcomes; 3e-4 is that of folds that only
-/// simulation tells (all but those of one body with memory in the ideal loop).
+/// 1e-10 for the linear theories, 1e-6 for folds and hunting, 1e-4 for outcomes; 3e-4 is that of folds found by
+/// simulation (all but those of one body with memory in the ideal loop).
 double default_precision(BoundaryKind kind);
 /// 200 intervals for the linear theories, 40 where each point is a motion; a linear theory is evaluated at 8 a decade
 /// at least.
@@ -35,7 +35,7 @@ FollowedBoundary follow_boundaries(const Joint& joint, const Axis& x, const Axis
 double hunting_side(const Joint& joint);
 
 /// Whether closed orbits can be solved for all over the axes: one body with memory in the ideal loop. All other folds
-/// lie where simulation tells a joint with a cycle from one without.
+/// lie where simulation distinguishes a joint with a cycle from one without.
 bool has_smooth_orbits(const Joint& joint, const std::vector<Axis>& axes);
 
 /// The side of a joint: negative where stable (no limit cycle; the disturbance dies out; no hunting), positive where

@@ -27,10 +27,10 @@ std::vector<double> coexistence(const std::vector<Joint>& joints, const Parallel
     std::vector<double> sides;
     for (const auto& p : points) {
         // where the start from near rest is undecided, a reason stands beside the outcome of the small disturbance
-        const bool told = p.outcome != Outcome::undecided && p.outcome != Outcome::solver_failure &&
-                          p.outcome != Outcome::not_asked && p.outcome != Outcome::linear_only &&
-                          p.reason == Reason::none;
-        sides.push_back(!told                                  ? missing
+        const bool decided = p.outcome != Outcome::undecided && p.outcome != Outcome::solver_failure &&
+                             p.outcome != Outcome::not_asked && p.outcome != Outcome::linear_only &&
+                             p.reason == Reason::none;
+        sides.push_back(!decided                               ? missing
                         : p.region == Region::bistable         ? 0
                         : p.outcome == Outcome::stable_sliding ? -1
                                                                : 1);

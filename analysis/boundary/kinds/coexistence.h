@@ -1,4 +1,4 @@
-// Which joints have limit cycles beside or instead of stable sliding, as large disturbances tell. Internal to
+// Which joints have limit cycles beside or instead of stable sliding, found by large disturbances. Internal to
 // analysis/boundary.
 #pragma once
 #include "analysis/base/parallel_for.h"

@@ -79,7 +79,7 @@ FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& 
     walking.limit = options.point_limit;
     walking.renewal = jacobian_renewal;
     walking.weight = [](const Eigen::VectorXd& z) { return orbit_weight(z, 2); };
-    const bool told = walk_curve(system_, start, walking, [&](const CurveState& before, const CurveState& here) {
+    const bool reached_end = walk_curve(system_, start, walking, [&](const CurveState& before, const CurveState& here) {
         const UnitPoint a = place(before), b = place(here);
         if (!b.inside()) {
             const std::array<double, 4> beyond{-b.u, b.u - 1, -b.v, b.v - 1};
@@ -110,7 +110,7 @@ FoldChart::Way FoldChart::walk(const CurveState& start, const FollowingOptions& 
         return true;
     });
     // a walk that gets stuck among ever smaller cycles has met the linear boundary
-    if (!told && way.states.back().z.head(n).norm() < 5 * vanishing_orbit) way.end = CurveEnd::vanished;
+    if (!reached_end && way.states.back().z.head(n).norm() < 5 * vanishing_orbit) way.end = CurveEnd::vanished;
     return way;
 }
 

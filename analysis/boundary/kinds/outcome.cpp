@@ -24,7 +24,7 @@ bool is_start_from_near_rest(const Disturbance& d)
     return d.kind == DisturbanceKind::start && d.size == near_rest_start;
 }
 
-/// What the spectrum alone tells: where sliding is unstable nothing can end in it. 0: that has to be simulated.
+/// What the spectrum alone decides: where sliding is unstable nothing can end in it. 0: that has to be simulated.
 double side_without_motion(const Joint& joint)
 {
     if (sliding_flow(joint).reason == Reason::linear_only) return missing;
@@ -57,16 +57,16 @@ std::vector<double> simulated_sides(std::span<const Joint> joints, const Disturb
     std::vector<double> sides(joints.size());
     lanes::sides(joints, options, sides);
     std::vector<std::size_t> open;
-    std::vector<Joint> asked;
+    std::vector<Joint> undecided_joints;
     for (std::size_t i = 0; i < joints.size(); ++i)
-        if (std::isnan(sides[i])) open.push_back(i), asked.push_back(joints[i]);
+        if (std::isnan(sides[i])) open.push_back(i), undecided_joints.push_back(joints[i]);
     std::vector<PointResult> points(open.size());
-    nonlinear_points(asked, options, points);
+    nonlinear_points(undecided_joints, options, points);
     options.turn_limit *= patience;
     for (std::size_t k = 0; k < open.size(); ++k) {
         const auto outcome = points[k].outcome;
         const bool undecided = outcome == Outcome::undecided;
-        sides[open[k]] = side_of_outcome(undecided ? nonlinear_verdict(asked[k], options).outcome : outcome);
+        sides[open[k]] = side_of_outcome(undecided ? nonlinear_verdict(undecided_joints[k], options).outcome : outcome);
     }
     return sides;
 }
@@ -82,9 +82,9 @@ std::vector<double> outcome_sides(const std::vector<Joint>& joints, const Distur
     for (std::size_t i = 0; i < joints.size(); ++i)
         if (sides[i] == 0) open.push_back(i);
     if (is_start_from_near_rest(disturbance)) {
-        std::vector<Joint> asked;
-        for (const auto i : open) asked.push_back(joints[i]);
-        const auto found = coexistence(asked, parallel);
+        std::vector<Joint> undecided_joints;
+        for (const auto i : open) undecided_joints.push_back(joints[i]);
+        const auto found = coexistence(undecided_joints, parallel);
         std::vector<std::size_t> left;
         for (std::size_t k = 0; k < open.size(); ++k) {
             sides[open[k]] = found[k] == 0 ? 1 : found[k];
@@ -93,10 +93,10 @@ std::vector<double> outcome_sides(const std::vector<Joint>& joints, const Distur
         open = std::move(left);
     }
     parallel((open.size() + batch - 1) / batch, [&](std::size_t b) {
-        std::vector<Joint> asked;
+        std::vector<Joint> undecided_joints;
         const std::size_t end = std::min(open.size(), (b + 1) * batch);
-        for (std::size_t k = b * batch; k < end; ++k) asked.push_back(joints[open[k]]);
-        const auto found = simulated_sides(asked, disturbance);
+        for (std::size_t k = b * batch; k < end; ++k) undecided_joints.push_back(joints[open[k]]);
+        const auto found = simulated_sides(undecided_joints, disturbance);
         for (std::size_t k = b * batch; k < end; ++k) sides[open[k]] = found[k - b * batch];
     });
     return sides;

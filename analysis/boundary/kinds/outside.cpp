@@ -14,10 +14,10 @@ double widening(BoundaryKind kind)
 
 }  // namespace
 
-OutsideOfRay nearest_outside(const Joint& joint, const LocatedRay& ray, const BoundaryRequest& asked)
+OutsideOfRay nearest_outside(const Joint& joint, const LocatedRay& ray, const BoundaryRequest& requested)
 {
     const double low = ray.axis.values.front(), high = ray.axis.values.back(), factor = widening(ray.kind);
-    BoundaryRequest request = asked;
+    BoundaryRequest request = requested;
     request.kind = ray.kind;
     request.scan = 0;
     if (ray.kind == BoundaryKind::outcome) request.precision = rough;

@@ -25,4 +25,10 @@ struct UnitPoint {
     bool inside() const { return u >= 0 && u <= 1 && v >= 0 && v <= 1; }
 };
 
+/// From a to b, counter-clockwise.
+inline double angle_between(UnitPoint a, UnitPoint b)
+{
+    return std::atan2(a.cross(b), a.dot(b));
+}
+
 }  // namespace stickslip

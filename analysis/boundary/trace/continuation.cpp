@@ -22,7 +22,7 @@ std::optional<CurveState> solve_on(const CurveSystem& system, const Eigen::Vecto
                                    const Eigen::VectorXd& along, const Eigen::MatrixXd* near)
 {
     constexpr int rounds = 4, steps = 5;
-    constexpr double stalled = 0.3;  // a step that shrinks the residual less asks for a new Jacobian
+    constexpr double stalled = 0.3;  // a step that shrinks the residual less needs a new Jacobian
     CurveState state;
     state.z = guess;
     auto F = system.residual(state.z);
@@ -78,7 +78,7 @@ class Trail {
         if (points_.size() > kept) points_.erase(points_.begin()), lengths_.erase(lengths_.begin());
     }
 
-    bool told() const { return points_.size() > 2; }
+    bool known() const { return points_.size() > 2; }
 
     /// Where the curve is after another h, each unknown foretold by itself.
     Eigen::VectorXd ahead(double h) const
@@ -113,7 +113,7 @@ bool walk_curve(const CurveSystem& system, const CurveState& start, const CurveW
         const Eigen::VectorXd tangent = here.tangent / here.tangent.cwiseProduct(weight).norm();
         const Eigen::VectorXd constraint = weight.cwiseAbs2().cwiseProduct(tangent);
         Eigen::VectorXd guess = here.z + h * tangent;
-        if (trail.told())
+        if (trail.known())
             if (const Eigen::VectorXd ahead = trail.ahead(h); (ahead - guess).cwiseProduct(weight).norm() < strayed * h)
                 guess = ahead;
         const bool renews = since_renewal + 1 >= options.renewal;

@@ -149,10 +149,11 @@ double fine_enough(double precision, const Axis& x, const Axis& y, double step)
 
 }  // namespace
 
-FollowedBoundary follow_boundary(const Sides& asked_sides, const Axis& x, const Axis& y, const FollowingOptions& asked)
+FollowedBoundary follow_boundary(const Sides& given_sides, const Axis& x, const Axis& y,
+                                 const FollowingOptions& given_options)
 {
-    FollowingOptions options = asked;
-    Sides sides = asked_sides;
+    FollowingOptions options = given_options;
+    Sides sides = given_sides;
     if (options.guard == 0) options.guard = default_guard(sides.continuous);
     if (options.longest_step == 0) options.longest_step = default_step(sides.continuous);
     sides.precision = fine_enough(sides.precision, x, y, options.longest_step);

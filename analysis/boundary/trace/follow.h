@@ -8,7 +8,7 @@
 
 namespace stickslip {
 
-/// A measure whose sign tells the two sides of a boundary; NaN where it cannot say.
+/// A measure whose sign distinguishes the two sides of a boundary; NaN where it cannot say.
 struct Sides {
     std::function<double(double x, double y)> at;
     bool continuous = true;   ///< its size goes to zero at the boundary; otherwise its sign is all that counts

@@ -16,6 +16,12 @@ struct Located {
     bool at_border = false;
 };
 
+/// Whether two values of a measure lie on different sides.
+inline bool differ(double a, double b)
+{
+    return !std::isnan(a) && !std::isnan(b) && (a < 0) != (b < 0);
+}
+
 class Tracer {
   public:
     Tracer(const Sides& sides, const Axis& x, const Axis& y, const FollowingOptions& options)
@@ -60,6 +66,7 @@ class Tracer {
 
     std::vector<Exit> exits(UnitPoint centre, double radius, const UnitPoint* back = nullptr);
     Walk walk(const Located& start, Exit exit);
+    std::optional<Exit> beyond_corner(const Walk& walk, const Exit& heading, double radius, bool& been);
     std::optional<Located> step(const Walk& walk, const Exit& heading, double h);
     std::optional<Located> correct(UnitPoint q, const Exit& heading, const Prediction& expected);
     Prediction predict(const Walk& walk, UnitPoint& q, bool along_y, double h) const;

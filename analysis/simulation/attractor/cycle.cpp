@@ -153,7 +153,7 @@ std::optional<Cycle> find_cycle(const Flow& flow, const FlowVector& guess, const
         if (size <= options.closure * std::max(1.0, distance)) {
             Cycle cycle = turn->path;
             cycle.multipliers = floquet_multipliers(flow, *turn);
-            // near neutral modes every orbit nearly closes: what is left of the gap tells how far the closed one is
+            // near neutral modes every orbit nearly closes: what is left of the gap shows how far the closed one is
             const double contraction = std::abs(1 - std::abs(cycle.multipliers[0]));
             if (size <= amplitude_precision * distance * contraction) return cycle;
             if (size >= last_gap) return {};

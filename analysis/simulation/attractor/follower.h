@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <memory>
+#include <optional>
 
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/flows/creep.h"
@@ -20,6 +21,14 @@ class Follower {
         int longest_wait = 0, next = 0, wait = 1;
         bool taken_at(int turn);
     };
+    /// The last two turns against each other.
+    struct Comparison {
+        double size = 0, gap = 0;         ///< the amplitude, and the distance between their points on the section
+        double growth = 0;                ///< ln of the amplitude ratio
+        bool equal = false;               ///< no gap
+        bool rest = false, slow = false;  ///< both stick; both come near rest
+    };
+    static constexpr double alike = 0.05;  ///< gap of two turns, per amplitude, from which shooting is tried
 
     double distance(const FlowVector& a, const FlowVector& b) const
     {
@@ -27,6 +36,10 @@ class Follower {
     }
     Attractor ended(Attractor::Kind kind, Reason reason = Reason::none);
     Attractor from_turn(const Turn& turn);
+    std::optional<Attractor> end_at(const Turn& turn);
+    Comparison compared() const;
+    std::optional<Attractor> hastened(const Comparison& turns);
+    bool closes(const Comparison& turns) const;
     bool shoot(const FlowVector& guess);
     bool may_rest() const;
     bool makes_turn(const Cycle& cycle) const;

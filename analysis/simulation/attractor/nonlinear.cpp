@@ -1,8 +1,8 @@
-// In one file: one verdict: its outcomes, each tried where those before did not decide.
+// The verdict on one joint: where a disturbance ends, and which outcomes coexist.
 #include "analysis/simulation/attractor/nonlinear.h"
 
 #include "analysis/simulation/attractor/attractor.h"
-#include "analysis/simulation/attractor/bifurcation.h"
+#include "analysis/simulation/attractor/criticality.h"
 #include "analysis/simulation/attractor/growth.h"
 #include "analysis/simulation/attractor/large_starts.h"
 #include "analysis/simulation/attractor/loop_answer.h"
@@ -18,9 +18,6 @@
 
 namespace stickslip {
 namespace {
-
-/// A first Lyapunov coefficient, per ω, that decides nothing.
-constexpr double degenerate_lyapunov = 1e-6;
 
 /// To which a small disturbance that grows is lifted, in units of the flow's scale; and the size below which it excites
 /// its mode so little that the lifted one would drown in the solver's tolerance.
@@ -38,35 +35,6 @@ void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
     verdict.multipliers.assign(a.multipliers.begin(), a.multipliers.end());
     verdict.repeats = a.repeats;
     verdict.path = a.path;
-}
-
-/// Criticality at k_cr, and the fold: from a subcritical Hopf point, or from the cycle that a bistable joint has.
-void add_bifurcation(const Joint& joint, const Flow& flow, const FlowVector& cycle_start, NonlinearVerdict& verdict)
-{
-    const auto* single = dynamic_cast<const SlidingFlow*>(&flow);  // the branch of cycles is followed for one body
-
-    const double k_cr = linear_verdict(joint).state_variable.k_cr;
-    const CycleOptions options;
-    if (std::isfinite(k_cr) && k_cr > 0) {
-        const auto at_critical = flow.with_gain(k_cr);
-        const auto hopf = hopf_point(*at_critical);
-        verdict.lyapunov = hopf.lyapunov;
-        const bool weak = !(std::abs(hopf.lyapunov) > degenerate_lyapunov * hopf.omega);
-        verdict.criticality = weak                ? Criticality::degenerate
-                              : hopf.lyapunov > 0 ? Criticality::subcritical
-                                                  : Criticality::supercritical;
-        if (!single) return;
-        if (const auto fold = fold_of_cycles(*at_critical, hopf, options)) verdict.fold_k_p = fold->k_p;
-    }
-    const bool smooth = single && single->states > 0 && cycle_start.size() > 0 && verdict.velocity_min > 0;
-    const bool may_reach_beyond =
-        verdict.region == NonlinearRegion::bistable ||
-        (verdict.region == NonlinearRegion::stick_slip && std::isfinite(k_cr) && single && single->k_p < k_cr);
-    if (!std::isnan(verdict.fold_k_p) || !smooth || !may_reach_beyond) return;
-    // through a degenerate Hopf point the branch of the own cycle may go on above k_cr
-    const auto last = last_at_rising_gain(flow, {single->k_p, cycle_start}, options);
-    if (std::isfinite(k_cr) && single->k_p < k_cr && last.k_p < k_cr) return;
-    if (const auto fold = fold_of_cycles(flow, last, options)) verdict.fold_k_p = fold->k_p;
 }
 
 bool held_by_spring(const SlidingFlow& flow)
@@ -114,8 +82,65 @@ void leave_open(Reason reason, NonlinearVerdict& verdict)
     verdict.reason = reason;
 }
 
-/// The verdict on equations of motion that exist.
-// In one piece: the outcomes, each tried where those before did not decide.
+/// Where the stated disturbance ends. A small one (`small`) that decays ends in steady sliding; one that grows need not
+/// be watched while it is linear: its direction is known, its size is not.
+template <class AnyFlow>
+Attractor end_of_stated(const AnyFlow& flow, const SlowMode& mode, const FlowVector& y0, bool small, bool decays,
+                        const FollowOptions& options)
+{
+    if (small && decays) {
+        Attractor steady;
+        steady.kind = Attractor::Kind::steady;
+        SlidingMotion first(flow, options.solver, options.rtol);
+        first.start(y0);
+        steady.first_peak = first.turn(mode.window()).position_max;
+        return steady;
+    }
+    const double size = size_of(flow, mode, y0 - mode.steady);
+    const double lift = small ? lifted / (size < hidden ? size : small_disturbance) : 1;
+    return follow(flow, mode.steady + lift * (y0 - mode.steady), decays, options);
+}
+
+void take_stated(const Attractor& stated, double deflection, NonlinearVerdict& verdict)
+{
+    verdict.outcome = stated.outcome();
+    verdict.reason = stated.reason;
+    verdict.path = stated.path;
+    verdict.used_fallback |= stated.used_fallback;
+    if (stated.cut_short) verdict.detail = Detail::limit_of_work;
+    // fmax ignores what is missing
+    if (!stated.diverged)
+        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
+    if (stated.oscillates()) describe_cycle(stated, verdict);
+}
+
+/// The region of a joint whose small disturbances decay: whether a larger one ends in a cycle, and which.
+template <class AnyFlow>
+void try_larger(const AnyFlow& flow, const SlowMode& mode, const FollowOptions& options, FlowVector& cycle_start,
+                NonlinearVerdict& verdict)
+{
+    Attractor large;
+    const auto starts = large_starts(flow, mode);
+    verdict.searched_from = starts.tried;
+    for (const auto& start : starts.y) {
+        if (!start.allFinite()) continue;
+        large = follow(flow, start, true, options);
+        verdict.used_fallback |= large.used_fallback;
+        if (large.kind != Attractor::Kind::steady) break;
+    }
+    if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
+    if (large.oscillates()) {
+        verdict.region = NonlinearRegion::bistable;
+        describe_cycle(large, verdict);
+        cycle_start = large.start;
+    }
+    if (verdict.region == NonlinearRegion::undecided) {
+        verdict.reason = large.reason;
+        if (large.cut_short) verdict.detail = Detail::limit_of_work;
+    }
+}
+
+/// The verdict on equations of motion that exist: outcomes, each tried where those before did not decide.
 template <class AnyFlow>
 void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& options, NonlinearVerdict& verdict)
 {
@@ -136,7 +161,6 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     }
     if (!mode.shows_itself())
         return leave_open(std::isfinite(mode.fastest) ? Reason::not_converged : Reason::not_finite, verdict);
-    const double deflection = steady_sliding(joint).deflection;
     const auto kind = options.disturbance.kind;
     const bool stated_small = !is_set(options.disturbance.size);
     if (stated_small) verdict.disturbance.size = default_size(flow, mode, kind);
@@ -155,29 +179,8 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
     const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;
 
-    // the stated disturbance
-    Attractor stated;
-    if (stated_small && decays) {
-        stated.kind = Attractor::Kind::steady;
-        SlidingMotion first(flow, follow_options.solver, options.rtol);
-        first.start(y0);
-        stated.first_peak = first.turn(mode.window()).position_max;
-    } else {
-        // a small disturbance that grows need not be watched while it is linear: its direction is known, its size is
-        // not
-        const double size = size_of(flow, mode, y0 - mode.steady);
-        const double lift = stated_small ? lifted / (size < hidden ? size : small_disturbance) : 1;
-        stated = follow(flow, mode.steady + lift * (y0 - mode.steady), decays, follow_options);
-    }
-    verdict.outcome = stated.outcome();
-    verdict.reason = stated.reason;
-    verdict.path = stated.path;
-    verdict.used_fallback |= stated.used_fallback;
-    if (stated.cut_short) verdict.detail = Detail::limit_of_work;
-    // fmax ignores what is missing
-    if (!stated.diverged)
-        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
-    if (stated.oscillates()) describe_cycle(stated, verdict);
+    const Attractor stated = end_of_stated(flow, mode, y0, stated_small, decays, follow_options);
+    take_stated(stated, steady_sliding(joint).deflection, verdict);
     FlowVector cycle_start = stated.start;
 
     if (linear.undamped) {
@@ -189,25 +192,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     } else if (stated.oscillates()) {
         verdict.region = NonlinearRegion::bistable;
     } else if (options.region) {
-        Attractor large;
-        const auto starts = large_starts(flow, mode);
-        verdict.searched_from = starts.tried;
-        for (const auto& start : starts.y) {
-            if (!start.allFinite()) continue;
-            large = follow(flow, start, decays, follow_options);
-            verdict.used_fallback |= large.used_fallback;
-            if (large.kind != Attractor::Kind::steady) break;
-        }
-        if (large.kind == Attractor::Kind::steady) verdict.region = NonlinearRegion::stable;
-        if (large.oscillates()) {
-            verdict.region = NonlinearRegion::bistable;
-            describe_cycle(large, verdict);
-            cycle_start = large.start;
-        }
-        if (verdict.region == NonlinearRegion::undecided) {
-            verdict.reason = large.reason;
-            if (large.cut_short) verdict.detail = Detail::limit_of_work;
-        }
+        try_larger(flow, mode, follow_options, cycle_start, verdict);
     }
     if (!options.bifurcation || answers_late(joint)) return;
     add_bifurcation(joint, flow, cycle_start, verdict);
@@ -215,66 +200,6 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     if (verdict.region == NonlinearRegion::bistable && std::isnan(verdict.fold_k_p))
         verdict.fold_missing = followed ? Detail::branch_lost : Detail::branch_not_smooth;
 }
-
-NonlinearRegion region_of(LoopRegion region)
-{
-    switch (region) {
-        case LoopRegion::stable:
-            return NonlinearRegion::stable;
-        case LoopRegion::bistable:
-            return NonlinearRegion::bistable;
-        case LoopRegion::stick_slip:
-            return NonlinearRegion::stick_slip;
-        case LoopRegion::undecided:
-            break;
-    }
-    return NonlinearRegion::undecided;
-}
-
-}  // namespace
-
-LoopQuestion loop_question(const NonlinearOptions& options)
-{
-    LoopQuestion question;
-    question.disturbance = options.disturbance;
-    question.rtol = options.rtol;
-    question.turn_limit = options.turn_limit;
-    question.region = options.region;
-    question.effort = options.effort;
-    return question;
-}
-
-NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& options)
-{
-    NonlinearVerdict verdict;
-    verdict.disturbance = options.disturbance;
-    if (std::isfinite(found.size)) verdict.disturbance.size = found.size;
-    verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : found.stated.outcome();
-    verdict.region = region_of(found.region);
-    verdict.growth_rate = found.growth_rate;
-    // sliding that only the encoder or its noise disturbs has no cycle
-    const bool slides = found.stated.kind == LoopEnd::Kind::steady && found.region != LoopRegion::bistable;
-    verdict.amplitude = slides ? missing : found.cycle.amplitude;
-    verdict.jitter = slides ? found.stated.amplitude : found.cycle.jitter;
-    verdict.velocity_min = found.cycle.velocity_min;
-    verdict.velocity_max = found.cycle.velocity_max;
-    verdict.period = found.cycle.period;
-    verdict.stick_fraction = found.cycle.stick_fraction;
-    verdict.repeats = found.cycle.repeats;
-    verdict.overshoot = found.overshoot;
-    verdict.path = DecisionPath::ticks;
-    verdict.reason = found.reason;
-    verdict.detail = found.detail;
-    verdict.searched_from = found.searched_from;
-    if (std::isnan(verdict.growth_rate))
-        verdict.growth_missing =
-            found.growth_missing == Detail::none ? Detail::growth_unmeasured : found.growth_missing;
-    if (options.bifurcation && verdict.region == NonlinearRegion::bistable)
-        verdict.fold_missing = Detail::fold_of_ideal_loop;
-    return verdict;
-}
-
-namespace {
 
 /// Of the ideal loop, in the coordinates of its flow.
 NonlinearVerdict verdict_of_flow(const Joint& joint, const NonlinearOptions& options)

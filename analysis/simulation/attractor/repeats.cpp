@@ -7,7 +7,7 @@ namespace stickslip {
 namespace {
 
 constexpr double slowest_closing = 0.999;  ///< largest ratio of successive gaps that still counts as closing
-constexpr double clear_ratio = 0.5;        ///< of successive gaps, that a few of them suffice to tell
+constexpr double clear_ratio = 0.5;        ///< of successive gaps: a few of them suffice below it
 constexpr double lasting = 0.9;            ///< gap of neighbours, per the same some rounds before
 constexpr double distinct = 10;            ///< of neighbours that differ, per what closed turns may
 constexpr double wandering = 2;            ///< gaps that many rounds of mere noise add up to at most

@@ -10,7 +10,7 @@ namespace stickslip {
 namespace {
 
 constexpr int looks = 8;                     ///< at the speed along a step, for its events
-constexpr int most_steps = 500;              ///< of a turn: one that asks for more is stiff, and cheaper step by step
+constexpr int most_steps = 500;              ///< of a turn: one that needs more is stiff, and cheaper step by step
 constexpr double share_of_tolerance = 0.01;  ///< that a step may leave out: the coefficients fall by about 4 a term
 constexpr int root_steps = 60;
 

@@ -14,7 +14,7 @@ struct Place {
     double velocity = missing;    ///< V_0
     double deflection = missing;  ///< |δ_ss|
     double growth = missing;      ///< of a small disturbance
-    double peak = missing;        ///< of a small disturbance that decays, per deflection; not set: only motions tell
+    double peak = missing;        ///< of a small disturbance that decays, per deflection; not set: only motions show
 };
 
 /// What rows must share for one smooth function to run through their numbers.

@@ -1,4 +1,4 @@
-// In one file: the equations of one chain and the switches between which they hold.
+// The equations of motion of a chain of bodies, and where it stands in balance.
 #include "analysis/simulation/flows/chain_flow.h"
 
 #include "analysis/stability/steady.h"
@@ -170,55 +170,6 @@ double ChainFlow::wind_up_time() const
     return 2 * held * compliance / V0;
 }
 
-void ChainFlow::switch_values(const FlowVector& y, const LateFriction& late, double* values) const
-{
-    for (int i = 0; i < bodies; ++i) {
-        const auto& b = body[i];
-        if (!b.rests)
-            values[i] = 1;
-        else if (b.mode == Mode::stuck)
-            values[i] = 1 - std::abs(needed(y, i)) / limit(i, late);
-        else
-            values[i] = velocity(y, i) / b.speed;
-    }
-}
-
-void ChainFlow::settle(int i, FlowVector& y, const LateFriction& late)
-{
-    set_velocity(y, i, 0);
-    const double force_needed = needed(y, i);
-    body[i].mode = std::abs(force_needed) <= limit(i, late) ? Mode::stuck
-                   : force_needed > 0                       ? Mode::forward
-                                                            : Mode::reverse;
-}
-
-void ChainFlow::enter(FlowVector& y, const LateFriction& late)
-{
-    for (int i = 0; i < bodies; ++i) {
-        const double v = velocity(y, i);
-        body[i].mode = v >= 0 ? Mode::forward : Mode::reverse;
-        if (body[i].rests && v == 0) settle(i, y, late);
-    }
-}
-
-void ChainFlow::pass(int i, FlowVector& y, const LateFriction& late)
-{
-    if (body[i].mode == Mode::stuck)
-        body[i].mode = needed(y, i) > 0 ? Mode::forward : Mode::reverse;
-    else
-        settle(i, y, late);
-}
-
-bool ChainFlow::anything_rests() const
-{
-    return std::any_of(body.begin(), body.begin() + bodies, [](const BodyFlow& b) { return b.mode == Mode::stuck; });
-}
-
-bool ChainFlow::can_rest() const
-{
-    return std::any_of(body.begin(), body.begin() + bodies, [](const BodyFlow& b) { return b.rests; });
-}
-
 double ChainFlow::link_friction(const FlowVector& y, const LateFriction& late) const
 {
     return link_stuck() ? needed(y, link()) : response(y, link(), late).force;
@@ -243,51 +194,6 @@ FlowVector ChainFlow::slow_start(double share) const
         for (int k = 0; k < bodies; ++k) carried[i] -= damping(i, k) * (velocity(y, k) - body[k].speed);
     y.head(bodies) = K.partialPivLu().solve(carried);
     return y;
-}
-
-ChainOrReason chain_flow(const Joint& joint, bool with_late_friction)
-{
-    ChainOrReason result;
-    auto& flow = result.flow;
-    const auto sliding = steady_sliding(joint);
-    result.reason = sliding.reason;
-    if (result.reason != Reason::none) return result;
-    const auto chain = chain_of(joint);
-    flow.bodies = chain.bodies;
-    flow.V0 = std::abs(sliding.velocity);
-    int next = 2 * chain.bodies;
-    for (int i = 0; i < chain.bodies; ++i) {
-        auto& b = flow.body[i];
-        b.friction = *chain.body[i].friction;
-        const auto about = info(b.friction.law);
-        if (about.linear_only) result.reason = Reason::linear_only;
-        b.late = std::holds_alternative<TimeLag>(b.friction.law);
-        // memory on top of friction that answers late has states that nothing here follows
-        if (b.late && (!with_late_friction || states(b.friction) > 0)) result.reason = Reason::unsupported;
-        if (has_unsteady_terms(b.friction, joint.load)) result.reason = Reason::unsupported;
-        if (sliding.velocity < 0) b.friction.asymmetry.coulomb *= -1, b.friction.asymmetry.viscous *= -1;
-        b.inertia = chain.body[i].inertia;
-        b.ratio = chain.body[i].ratio;
-        b.speed = chain.body[i].speed * flow.V0;
-        b.logarithmic = about.needs_motion;
-        b.rests = can_rest(b.friction);
-        b.states = states(b.friction);
-        b.first_state = next;
-        next += b.states;
-    }
-    flow.total_states_ = next - 2 * chain.bodies;
-    const auto& m = joint.mechanism;
-    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0 ||
-        joint.normal.moves() || joint.neighbour.size > 0)
-        result.reason = Reason::unsupported;
-    if (result.reason != Reason::none) return result;
-    for (int i = 0; i < chain.bodies; ++i) {
-        auto& b = flow.body[i];
-        b.steady_friction = steady_force(b.friction, b.ratio * b.speed);
-    }
-    flow.loop = linear_joint(joint, sliding.velocity);
-    if (!flow.steady().allFinite() || !flow.scale().allFinite()) result.reason = Reason::not_finite;
-    return result;
 }
 
 }  // namespace stickslip

@@ -105,7 +105,7 @@ struct ChainOrReason {
 };
 
 /// The equations of motion of a joint of any number of bodies, or the reason why there are none. Friction that answers
-/// late is such a reason, unless it is somebody else's to supply.
+/// late is such a reason, unless the caller supplies it (LateFlow).
 ChainOrReason chain_flow(const Joint& joint, bool with_late_friction = false);
 
 }  // namespace stickslip

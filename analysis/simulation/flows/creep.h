@@ -14,7 +14,7 @@ class Creep {
     bool bracketed() const;
     /// Where between them a line in amplitude² vanishes, kept off the ends that it would creep along.
     double middle() const;
-    /// Whether so little growth tells the amplitude of the cycle well enough.
+    /// Whether so little growth determines the amplitude of the cycle well enough.
     bool located(double size, double growth) const;
     /// The amplitude to look at next; `ahead` as below.
     double next(double size, double growth, double ahead) const;

@@ -24,7 +24,7 @@ struct SlowMode {
     double fastest = missing;  ///< largest |s| of all modes
 
     /// False where there is no mode, or none that moves on the clock of the others, as of a joint without a position
-    /// gain: no simulation can tell growth from decay there.
+    /// gain: no simulation can distinguish growth from decay there.
     bool shows_itself() const { return std::abs(s) >= neutral_mode * fastest && std::isfinite(fastest); }
 
     /// |l·(y − y_ss)|

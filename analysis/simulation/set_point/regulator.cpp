@@ -57,13 +57,13 @@ FlowVector RegulatorFlow::scale() const
     return s;
 }
 
-RegulatorFlow::Linearised RegulatorFlow::output(const FlowVector& y, double* asked) const
+RegulatorFlow::Linearised RegulatorFlow::output(const FlowVector& y, double* command) const
 {
     const auto& r = regulator_;
     const bool dead = std::abs(y[0]) <= r.dead_zone;
     const auto added = pushed(y);
     const double u = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2] + added.value;
-    if (asked) *asked = u;
+    if (command) *command = u;
     if (std::abs(u) > r.effort_limit) return {std::copysign(r.effort_limit, u), 0, 0, 0};
     return {u, (dead ? 0 : -r.k_p) + added.by_x, -r.k_v + added.by_v, 1};
 }
@@ -92,11 +92,11 @@ RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
     const double e = r.error(y[0]);
     Linearised rate{r.k_i * e, e == 0 ? 0 : -r.k_i, 0, 0};
     if (std::abs(y[0]) > r.integral_band) rate = {};
-    double asked = 0;
-    const auto given = output(y, &asked);
-    const double excess = asked - given.value;
+    double command = 0;
+    const auto given = output(y, &command);
+    const double excess = command - given.value;
     const bool waits =
-        r.anti_windup == AntiWindup::clamp || (r.anti_windup == AntiWindup::conditional && e * asked > 0);
+        r.anti_windup == AntiWindup::clamp || (r.anti_windup == AntiWindup::conditional && e * command > 0);
     if (excess != 0 && waits) rate = {};
     if (excess != 0 && r.anti_windup == AntiWindup::back_calculation) {
         rate.value -= excess / r.tracking_time;

@@ -73,8 +73,11 @@ class SlidingMotion {
     std::optional<Touch> touched(double from, const FlowVector& before) const;
     bool stick(double t_end);
     Turn run(double t_end, const std::function<bool(const FlowVector&)>& settled);
+    std::optional<Turn::End> slide(double t_end, const std::function<bool(const FlowVector&)>& settled, Turn& turn);
+    Turn begun_turn();
+    Turn finished(Turn turn, Turn::End end) const;
     void measure_step(double from, double to, const FlowVector& before, const StepReport& report, Turn& turn);
-    void tell();
+    void notify();
 
     std::unique_ptr<Flow> flow_;
     SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched

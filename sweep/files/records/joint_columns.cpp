@@ -1,9 +1,7 @@
 #include "sweep/files/records/joint_columns.h"
 
-#include "sweep/files/records/record_header.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
-#include "sweep/files/text/line_stream.h"
+#include "sweep/files/text/header_row.h"
 
 #include <algorithm>
 #include <optional>
@@ -50,11 +48,8 @@ std::vector<std::string> names_in(const std::filesystem::path& table)
 {
     files::LineStream lines(table);
     std::string_view line;
-    do {
-        if (!lines.next(line))
-            throw BadInput(table.string() + ": is empty, expected a header row such as time,elbow_position");
-        if (lines.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-    } while (files::trimmed(line).empty() || files::trimmed(line).starts_with('#'));
+    if (!files::next_header(lines, line))
+        throw BadInput(table.string() + ": is empty, expected a header row such as time,elbow_position");
     return files::header_names(line, files::separator_of(line));
 }
 

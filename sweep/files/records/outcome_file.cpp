@@ -1,10 +1,9 @@
-// In one file: one reader of one format.
 #include "sweep/files/records/outcome_file.h"
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/csv.h"
-#include "sweep/files/text/line_stream.h"
+#include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
 #include "sweep/files/text/units.h"
 
@@ -36,32 +35,6 @@ std::vector<Cell> cells_of(std::string_view line, char separator)
         if (to == line.size()) return cells;
         from = to + 1;
     }
-}
-
-/// The first line that is neither empty nor a comment.
-bool next_header(LineStream& lines, std::string_view& line)
-{
-    do {
-        if (!lines.next(line)) return false;
-        if (lines.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-    } while (trimmed(line).empty() || trimmed(line).starts_with('#'));
-    return true;
-}
-
-char separator_of(std::string_view header)
-{
-    for (char c : {',', ';', '\t'})
-        if (header.find(c) != std::string_view::npos) return c;
-    return ',';
-}
-
-/// "V0 [mm/s]" as name and unit.
-std::pair<std::string, std::string> name_and_unit(std::string_view cell)
-{
-    const auto from = cell.find('[');
-    if (from == std::string_view::npos || cell.back() != ']') return {std::string(cell), ""};
-    return {std::string(trimmed(cell.substr(0, from))),
-            std::string(trimmed(cell.substr(from + 1, cell.size() - from - 2)))};
 }
 
 std::optional<bool> outcome_of(std::string_view word)

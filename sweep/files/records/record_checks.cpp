@@ -86,17 +86,17 @@ class Checks {
         const std::string times = rounded(std::max(std::abs(ratio), 1 / std::abs(ratio)));
         if (alike < 0)
             found_.push_back(
-                {"suspected sign: with the gains of the joint the logged motion asks for the opposite of the "
+                {"suspected sign: with the gains of the joint the logged motion requires the opposite of the "
                  "logged command; scale = -1 under [record.columns] turns a signal round",
                  true});
         else if (ratio > 1 && wrong_factor(ratio, motion_) != 0)
             found_.push_back({"suspected " + std::string(foreign_unit()) +
-                                  ": with the gains of the joint the logged motion asks for " + times +
+                                  ": with the gains of the joint the logged motion requires " + times +
                                   " times the logged command; [record] can name the unit",
                               true});
         else if (ratio > another_joint || ratio < 1 / another_joint)
             found_.push_back(
-                {"suspected record of another joint: with the gains of the joint the logged motion asks for " + times +
+                {"suspected record of another joint: with the gains of the joint the logged motion requires " + times +
                      (ratio > 1 ? " times" : " times less than") +
                      " the logged command; per record, [record.files] can give other gains",
                  true});
@@ -150,7 +150,7 @@ class Checks {
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
         constexpr double another_unit = 100;  // no gain is as wrong as that
         disproportion(spread(r_.effort_measured) / spread(asked), another_unit, "effort_measured varies by",
-                      " times as much as", " the command asks for");
+                      " times as much as", " the command requires");
     }
 
     /// A signal that stays at one value although the joint moves was not connected.

@@ -6,7 +6,7 @@
 #include "sweep/files/records/record_header.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/csv.h"
-#include "sweep/files/text/line_stream.h"
+#include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
 
 #include <algorithm>
@@ -91,10 +91,8 @@ class RecordReader {
     {
         reject_binary(lines_.head(), 1);
         std::string_view line;
-        do {
-            if (!lines_.next(line)) throw BadInput(name_ + ": is empty, expected a header row such as time,position");
-            if (lines_.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-        } while (trimmed(line).empty() || trimmed(line).starts_with('#'));
+        if (!next_header(lines_, line))
+            throw BadInput(name_ + ": is empty, expected a header row such as time,position");
         RecordHeader header = match_header(line, {name_, lines_.line_number()}, rule_, joint_);
         if (!header.errors.empty()) throw BadInput(header.errors);
         separator_ = header.separator;

@@ -12,7 +12,7 @@
 namespace stickslip {
 
 /// A record and what a user should know about it ("suspected": degrees in a column that should be radians). Sentences
-/// do not name the record: whoever passes them on does.
+/// do not name the record: the caller adds its name.
 struct RecordReading {
     Record record;
     std::vector<std::string> warnings;

@@ -1,6 +1,7 @@
 #include "sweep/files/records/record_header.h"
 
 #include "sweep/files/text/csv.h"
+#include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
 #include "sweep/files/text/units.h"
 
@@ -8,15 +9,6 @@
 
 namespace stickslip::files {
 namespace {
-
-/// "position [deg]": the name and the unit, which is empty where none stands there.
-std::pair<std::string, std::string> parted(const std::string& column)
-{
-    const auto from = column.find('[');
-    if (from == std::string::npos || !column.ends_with(']')) return {column, ""};
-    return {std::string(trimmed(std::string_view(column).substr(0, from))),
-            std::string(trimmed(std::string_view(column).substr(from + 1, column.size() - from - 2)))};
-}
 
 class HeaderMatcher {
   public:
@@ -83,7 +75,7 @@ class HeaderMatcher {
         for (const auto& s : signals()) known.emplace_back(s.name);
         for (std::size_t i = 0; i < names_.size(); ++i) {
             if (header_.columns[i].signal || is_of_another(names_[i])) continue;
-            const auto [name, unit] = parted(names_[i]);
+            const auto [name, unit] = name_and_unit(names_[i]);
             const Signal* signal = signal_named(name);
             if (signal && !is_mapped(signal->name))
                 take(i, *signal, unit);
@@ -170,33 +162,6 @@ class HeaderMatcher {
 };
 
 }  // namespace
-
-char separator_of(std::string_view line)
-{
-    if (line.find(',') != std::string_view::npos) return ',';
-    return line.find(';') != std::string_view::npos ? ';' : '\t';
-}
-
-std::vector<std::string> header_names(std::string_view line, char separator)
-{
-    std::vector<std::string> names;
-    while (true) {
-        std::string_view cell = trimmed(line);
-        std::size_t length = 0;
-        if (cell.starts_with('"') && cell.find('"', 1) != std::string_view::npos) {
-            line = cell;
-            length = line.find('"', 1) + 1;
-            cell = line.substr(1, length - 2);
-            length = std::min(line.size(), line.find(separator, length));
-        } else {
-            length = std::min(line.size(), line.find(separator));
-            cell = line.substr(0, length);
-        }
-        names.emplace_back(trimmed(cell));
-        if (length == line.size()) return names;
-        line.remove_prefix(length + 1);
-    }
-}
 
 RecordHeader match_header(std::string_view line, const HeaderPlace& place, const RecordLayout::Rule& rule,
                           const Joint& joint)

@@ -33,10 +33,4 @@ struct HeaderPlace {
 RecordHeader match_header(std::string_view line, const HeaderPlace& place, const RecordLayout::Rule& rule,
                           const Joint& joint);
 
-/// Comma; semicolon or tab where the line has no comma.
-char separator_of(std::string_view line);
-
-/// The names of a header row, without their quotation marks.
-std::vector<std::string> header_names(std::string_view line, char separator);
-
 }  // namespace stickslip::files

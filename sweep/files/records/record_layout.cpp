@@ -99,7 +99,7 @@ class LayoutReader {
         return signal;
     }
 
-    /// Whether somebody wrote the column of the file first and the signal behind it.
+    /// Whether the column of the file was written first and the signal behind it.
     bool turned_round(const std::string& name, const toml::node& node, const std::string& path)
     {
         const auto* text = node.as_string();

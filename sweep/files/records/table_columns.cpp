@@ -1,8 +1,6 @@
 #include "sweep/files/records/table_columns.h"
 
-#include "sweep/files/records/record_header.h"
-#include "sweep/files/text/csv.h"
-#include "sweep/files/text/line_stream.h"
+#include "sweep/files/text/header_row.h"
 
 namespace stickslip {
 
@@ -10,11 +8,8 @@ std::vector<std::string> table_columns(const std::string& file)
 {
     files::LineStream lines(file);
     std::string_view line;
-    while (lines.next(line)) {
-        line = files::trimmed(line);
-        if (!line.empty() && !line.starts_with('#')) return files::header_names(line, files::separator_of(line));
-    }
-    return {};
+    if (!files::next_header(lines, line)) return {};
+    return files::header_names(line, files::separator_of(line));
 }
 
 }  // namespace stickslip

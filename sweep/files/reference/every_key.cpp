@@ -1,5 +1,6 @@
 #include "sweep/files/reference/every_key.h"
 
+#include "sweep/study/start/row_filler.h"
 #include "sweep/study/start/starting_joint.h"
 
 #include <algorithm>
@@ -7,34 +8,6 @@
 
 namespace stickslip {
 namespace {
-
-/// One row in every list that is empty, so that the keys of a row are there to be listed.
-struct RowFiller {
-    void number(const Field&, double&) {}
-    void numbers(const Field&, NumberList&) {}
-    void flag(std::string_view, std::string_view, bool&) {}
-    void text(std::string_view, std::string_view, std::string&) {}
-    void samples(std::string_view, std::string_view, std::string&, KernelTablePtr&) {}
-    template <class Enum, std::size_t n>
-    void choice(std::string_view, std::string_view, Enum&, const Choice<Enum> (&)[n])
-    {
-    }
-    template <class Struct>
-    void table(std::string_view, std::string_view, Struct& s)
-    {
-        Struct::fields(s, *this);
-    }
-    template <class Struct, int capacity>
-    void rows(std::string_view, std::string_view, ShortList<Struct, capacity>& list)
-    {
-        if (list.size == 0) list.push_back({});
-    }
-    template <class... Laws>
-    void law(std::variant<Laws...>& law)
-    {
-        std::visit([this](auto& l) { std::decay_t<decltype(l)>::fields(l, *this); }, law);
-    }
-};
 
 std::string without_row(std::string path)
 {
@@ -57,7 +30,7 @@ class Collection {
     /// A joint of a model with a law, and the same with every other word of each of its choices.
     void add(Joint joint, const std::string& model, const std::string& law)
     {
-        RowFiller filler;
+        RowFiller filler{RowFiller::Lists::all};
         Joint::fields(joint, filler);
         const auto base = keys(joint);
         Paths any = note(base);

@@ -48,7 +48,7 @@ void read_boundary_lists(const toml::table& table, const Joint& given, BoundaryS
                            "is \"" + text + "\", expected " + listed(kinds) + did_you_mean(text, kinds));
     }
     Joint joint = given;
-    // ranges behind the paths are judged by whoever makes axes of them
+    // ranges behind the paths are checked where axes are made of them
     const auto paths = [&](const std::string& key) {
         std::vector<std::string> found;
         for (const auto& [text, place] : texts_at(table, key, complaints)) {

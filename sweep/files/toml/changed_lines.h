@@ -1,4 +1,4 @@
-// What differs between two files of one program, for somebody who will type it.
+// What differs between two files of one program, for a user who will type it.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// What the registers of a servo drive came to, for whoever evaluates the joint.
+// What the registers of a servo drive came to, for the user who evaluates the joint.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-// stickslip blind: diagnoses sealed cases, each in a process of its own that sees only its folder, and scores the
+// stickslip blind: diagnoses blind test cases, each in a process of its own that sees only its folder, and scores the
 // answers.
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -43,7 +43,7 @@ struct Options {
 struct Running {
     std::size_t number = 0;
     std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
-    bool stopped = false, told = false;  ///< that it took too long; that it shall end
+    bool stopped = false, signalled = false;  ///< for taking too long; by an interrupt of the whole run
 };
 
 std::string read_text(const fs::path& file)
@@ -67,11 +67,11 @@ std::vector<fs::path> cases_of(const fs::path& directory)
 }
 
 /// Runs this program's diagnose on a copy of the case in a folder of its own; gives the process.
-pid_t start(const fs::path& sealed, const fs::path& scratch, int threads)
+pid_t start(const fs::path& one_case, const fs::path& scratch, int threads)
 {
     fs::create_directories(scratch);
     std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "diagnose", "joint.toml"};
-    for (const auto& entry : fs::directory_iterator(sealed)) {
+    for (const auto& entry : fs::directory_iterator(one_case)) {
         const auto name = entry.path().filename().string();
         write_whole(scratch / name, read_text(entry.path()));  // fs::copy calls a full disk an error of input or output
         if (name.ends_with(".csv") || name.ends_with(".csv.gz")) words.push_back(name);
@@ -104,7 +104,7 @@ struct Ended {
     bool interrupted = false;  ///< what it has written is half an answer or none
 };
 
-/// Waits for a case to end; stops those that take too long, and all of them where somebody asks to stop.
+/// Waits for a case to end; stops those that take too long, and all of them where a stop is requested.
 Ended next_done(std::map<pid_t, Running>& running, double timeout, const std::atomic<bool>& interrupted)
 {
     for (;;) {
@@ -114,8 +114,8 @@ Ended next_done(std::map<pid_t, Running>& running, double timeout, const std::at
         if (done != 0) return {done, by_signal || (WIFEXITED(status) && WEXITSTATUS(status) == exit_interrupted)};
         const auto now = std::chrono::steady_clock::now();
         for (auto& [pid, one] : running) {
-            // a terminal has told them already, a batch system has not
-            if (interrupted && !one.told) one.told = true, kill(pid, SIGINT);
+            // a terminal has sent them the signal already, a batch system has not
+            if (interrupted && !one.signalled) one.signalled = true, kill(pid, SIGINT);
             if (!one.stopped && std::chrono::duration<double>(now - one.since).count() > timeout)
                 one.stopped = true, kill(pid, SIGKILL);
         }
@@ -238,7 +238,7 @@ void add_blind(CLI::App& app, Invocation& invocation)
     verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")->check(positive_number());
     add_threads(*verb, options->threads, "threads of each diagnosis, 0 for all");
     verb->footer(
-        "Example: stickslip blind sealed --truth sealed.truth.json\n"
+        "Example: stickslip blind cases --truth cases.truth.json\n"
         "Exit codes: 0 done (the answers say which cases failed), 2 bad input, 3 interrupted, with the answers so far "
         "written.");
     verb->callback([options, &invocation] {

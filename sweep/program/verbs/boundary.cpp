@@ -45,7 +45,7 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
     answer.rays.push_back(std::move(ray));
 }
 
-/// Returns how many questions were answered before somebody asked to stop. What lies under the curves comes last.
+/// Returns how many questions were answered before a stop was requested. What lies under the curves comes last.
 std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestion>& questions,
                        const Invocation& invocation)
 {
@@ -198,8 +198,7 @@ void add_boundary(CLI::App& app, Invocation& invocation)
                      "exit 4 if more than this share of the scanned points has no verdict")
         ->check(between(0, 1))
         ->capture_default_str();
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "the paper's loop: no sampling, dead time, filter, lag or integral");
+    add_ideal_loop(*verb, options->ideal_loop);
     verb->add_flag("--json", options->json, "print boundary.json instead of text");
     verb->footer(
         "Examples:\n"

@@ -154,10 +154,10 @@ int run(const Options& options, const Invocation& invocation)
     std::size_t done = 0;
     for (const int n : work.left) {
         const auto made = work.cases.make(options.seed, static_cast<std::uint64_t>(n));
-        const auto told = fmt::format("{:>4}/{}  case {}", ++done, work.left.size(), n);
+        const auto progress = fmt::format("{:>4}/{}  case {}", ++done, work.left.size(), n);
         if (invocation.interrupted) break;
         if (!made) {
-            say("{}  its cause does not show in this motion, or cannot be simulated\n", told);
+            say("{}  its cause does not show in this motion, or cannot be simulated\n", progress);
             continue;
         }
         auto c = answered(*made, work.joint, work.place, invocation);
@@ -165,7 +165,7 @@ int run(const Options& options, const Invocation& invocation)
         c.name = name_of_case(options.seed, n, calibration.joint);
         const double each =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / static_cast<double>(done);
-        say("{}  {}  answered {}{}  about {:.0f} min left\n", told,
+        say("{}  {}  answered {}{}  about {:.0f} min left\n", progress,
             c.truth.effects.empty() ? "no effect" : c.truth.effects[0], c.answer.verdict,
             c.answer.ranked.empty() ? "" : fmt::format(" {}", fmt::join(c.answer.ranked[0], " + ")),
             std::ceil(each * static_cast<double>(work.left.size() - done) / 60));

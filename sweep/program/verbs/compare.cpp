@@ -37,7 +37,7 @@ int compare_verb(const Options& options, const Invocation& invocation)
     }
     fmt::print("{}\n", plain_text(comparison_sentence(comparison)));
     for (const auto& change : comparison.numbers)
-        if (told(change, comparison)) fmt::print("  {}\n", plain_text(change_text(change)));
+        if (is_reported(change, comparison)) fmt::print("  {}\n", plain_text(change_text(change)));
     if (!options.directory.empty())
         fmt::print("report: {}\n", (std::filesystem::path(options.directory) / "report.html").string());
     return exit_done;

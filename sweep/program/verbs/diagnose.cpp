@@ -80,9 +80,9 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     }
     gap::OutcomeAnswer& answer = *found;
     Diagnosis& d = answer.diagnosis;
-    std::vector<Note> told;
-    for (const auto& text : warnings) told.push_back({.text = text});
-    d.notes.insert(d.notes.begin(), told.begin(), told.end());
+    std::vector<Note> of_reader;
+    for (const auto& text : warnings) of_reader.push_back({.text = text});
+    d.notes.insert(d.notes.begin(), of_reader.begin(), of_reader.end());
     const auto next = next_outcome_text(answer);
     remove_earlier(directory);
     auto json = diagnosis_json(d, joint, answer.after);

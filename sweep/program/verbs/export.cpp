@@ -69,7 +69,7 @@ int export_verb(const Options& options)
         return exit_done;
     }
     fmt::print("{}", text);
-    // the text may go into a file; what is missing in it is for whoever reads the terminal
+    // the text may go into a file; what is missing in it is for the reader of the terminal
     if (!answer.not_expressible.empty()) say("Not in this text:\n");
     for (const auto& n : answer.not_expressible) say("  {}: {}\n", n.key, why(n));
     if (answer.gap_left)

@@ -8,6 +8,11 @@
 
 namespace stickslip {
 
+void add_ideal_loop(CLI::App& verb, bool& ideal_loop)
+{
+    verb.add_flag("--ideal-loop", ideal_loop, "the paper's loop: no sampling, dead time, filter, lag or integral");
+}
+
 void say_left_out(const Joint& described)
 {
     if (loop_kind(described) == LoopKind::ideal) return;

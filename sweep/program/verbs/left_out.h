@@ -1,9 +1,13 @@
-// What --ideal-loop leaves out, said by the verbs whose answers do not say it themselves.
+// The option --ideal-loop, and what it leaves out, said by the verbs whose answers do not say it themselves.
 #pragma once
 #include "analysis/joint/joint.h"
 #include "sweep/files/toml/asked_axes.h"
 
+#include <CLI/CLI.hpp>
+
 namespace stickslip {
+
+void add_ideal_loop(CLI::App& verb, bool& ideal_loop);
 
 /// To standard error: which keys of the loop the answer is without, and whether the joint as described slides smoothly.
 /// Nothing where the joint has the ideal loop anyway.

@@ -120,8 +120,7 @@ void add_margins(CLI::App& app, Invocation& invocation)
     add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
     verb->add_option("--effort", options->effort, "multiple of the usual work of a search for crossings")
         ->check(positive_number());
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "the paper's loop: no sampling, dead time, filter, lag or integral");
+    add_ideal_loop(*verb, options->ideal_loop);
     verb->add_flag("--json", options->json, "print margins.json instead of text");
     verb->footer(
         "Example: stickslip margins examples/01-reference-joint/spec.toml --uncertain friction.L=20% --uncertain "

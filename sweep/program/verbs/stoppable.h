@@ -1,4 +1,4 @@
-// Work that ends when somebody asks to stop.
+// Work that ends when a stop is requested.
 #pragma once
 #include "analysis/base/parallel_for.h"
 
@@ -7,10 +7,10 @@
 
 namespace stickslip {
 
-/// Somebody asked to stop.
+/// A stop was requested.
 struct Stopped {};
 
-/// The same tasks, until somebody asks to stop: those not yet begun are then left out, and a Stop is thrown.
+/// The same tasks, until a stop is requested: those not yet begun are then left out, and a Stop is thrown.
 template <class Stop = Stopped>
 ParallelFor until_interrupted(const std::atomic<bool>& interrupted, ParallelFor run)
 {

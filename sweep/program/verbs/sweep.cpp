@@ -182,8 +182,7 @@ void add_sweep(CLI::App& app, Invocation& invocation)
     verb->add_flag("--no-report", options->no_report, "write results.nc only");
     verb->add_option("--timestamp", options->timestamp,
                      "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "the paper's loop: no sampling, dead time, filter, lag or integral");
+    add_ideal_loop(*verb, options->ideal_loop);
     verb->add_flag("--every-point", options->every_point,
                    "compute every point of a dense nonlinear map, interpolate none");
     verb->add_flag("--json", options->json, "machine-readable summary");

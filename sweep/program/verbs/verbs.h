@@ -23,7 +23,7 @@ void catch_interrupts(Invocation& invocation);
 
 /// Ends the program at an interruption, with these words and code 3: where nothing more is in flight that could be
 /// kept. As every verb begins.
-void leave_on_interrupts(std::string_view told);
+void leave_on_interrupts(std::string_view words);
 
 void add_sweep(CLI::App& app, Invocation& invocation);
 void add_boundary(CLI::App& app, Invocation& invocation);

@@ -1,43 +1,15 @@
-// In one file: the figures of a record, which share their pens and words.
+// What a simulation gets wrong of a record: its residuals, and the stretch where they are worst.
 #include "sweep/report/figures/diagnosis_figures.h"
+
+#include "sweep/report/figures/trace_lines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace stickslip {
 namespace {
 
 constexpr int most_records = 3;
-constexpr double usual_share = 0.995;  ///< of a line, that its axis must show: a start-up spike would flatten the rest
-
-std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b)
-{
-    std::vector<double> r;
-    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) r.push_back(a[k] - b[k]);
-    return r;
-}
-
-double rms(const std::vector<double>& values)
-{
-    double sum = 0, n = 0;
-    for (double v : values)
-        if (std::isfinite(v)) sum += v * v, n += 1;
-    return n > 0 ? std::sqrt(sum / n) : 0;
-}
-
-std::string effort_name(DiagnosedTrace::Effort effort)
-{
-    switch (effort) {
-        case DiagnosedTrace::Effort::measured:
-            return "measured effort";
-        case DiagnosedTrace::Effort::command:
-            return "command";
-        case DiagnosedTrace::Effort::friction_of_rig:
-            break;
-    }
-    return "friction";
-}
 
 /// One signal of one record: measured, and simulated before and after.
 struct Signal {
@@ -46,12 +18,6 @@ struct Signal {
     const std::vector<double>&measured, &before, &after;
     bool named;  ///< a cause is added; else both simulations are the same
 };
-
-/// "simulated", or "predicted" where no loop could be simulated.
-std::string made(const DiagnosedTrace& trace)
-{
-    return trace.predicted ? "predicted" : "simulated";
-}
 
 /// The stretch of a trace in which the simulation before the cause errs most: over the whole of a record the lines lie
 /// on each other.
@@ -82,13 +48,6 @@ std::vector<double> cut(const std::vector<double>& values, std::pair<std::size_t
     const auto end = std::min(stretch.second, values.size());
     return {values.begin() + static_cast<std::ptrdiff_t>(std::min(stretch.first, end)),
             values.begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
-DetailedChart::Line measured_line(std::vector<double> time, std::vector<double> values)
-{
-    DetailedChart::Line line{"measured", std::move(time), std::move(values), false};
-    line.wide = true;  // a simulation that follows it is seen on it, not under it
-    return line;
 }
 
 // a simulation and what it leaves have one pen on all charts of a page
@@ -161,18 +120,10 @@ Figure residual(const Signal& s)
         return {s.id + "-residual", chart, words + spikes, words};
     }
     chart.lines = {before_line("before", s.trace.time, before), remaining_line(s.trace.time, after)};
-    const double was = rms(before), is = rms(after);
+    const double was = rms_of(before), is = rms_of(after);
     std::string words = "Residual of " + s.name + " over time, before and after";
     if (was > 0) words += ": its RMS goes to " + std::to_string(std::lround(100 * is / was)) + " % of its former value";
     return {s.id + "-residual", chart, words + "." + spikes, words};
-}
-
-/// Every n-th sample, so that a page of a long record stays small.
-std::vector<double> thinned(const std::vector<double>& values, std::size_t stride)
-{
-    std::vector<double> some;
-    for (std::size_t k = 0; k < values.size(); k += stride) some.push_back(values[k]);
-    return some;
 }
 
 }  // namespace
@@ -199,7 +150,7 @@ std::vector<Figure> trace_figures(const Diagnosis& d)
                             named};
         const bool forces = !trace.effort_measured.empty();
         // a rig's load point moves as commanded: there is nothing to get wrong
-        const bool moves = rms(difference(trace.measured, trace.before)) > 0;
+        const bool moves = rms_of(difference(trace.measured, trace.before)) > 0;
         if (moves) figures.push_back(residual(motion));
         if (forces) figures.push_back(residual(effort));
         if (n > 1) continue;
@@ -207,44 +158,6 @@ std::vector<Figure> trace_figures(const Diagnosis& d)
         if (forces) figures.push_back(overlay(effort));
     }
     return figures;
-}
-
-std::vector<Figure> played_figures(const Diagnosis& d)
-{
-    if (d.traces.empty()) return {};
-    const auto& trace = d.traces.front();
-    const std::size_t n = std::min({trace.time.size(), trace.measured.size(), trace.before.size()});
-    if (n < 2 || rms(difference(trace.measured, trace.before)) == 0) return {};
-    constexpr std::size_t most = 1500;
-    const std::size_t stride = (n + most - 1) / most;
-    const bool named = d.verdict == Verdict::gap, efforts = !trace.effort_measured.empty();
-    const auto time = thinned(trace.time, stride);
-    DetailedChart chart;
-    chart.title = "The record, measured and " + made(trace) + ": " + trace.file;
-    chart.x_label = {"time", "s"};
-    chart.y_label = {"position", std::string(unit_of(Quantity::position, Units(d.motion)))};
-    chart.played = true;
-    chart.turns = d.motion == Motion::revolute;
-    const auto three = [&](const std::vector<double>& measured, const std::vector<double>& before,
-                           const std::vector<double>& after) {
-        std::vector<DetailedChart::Line> lines{
-            measured_line(time, thinned(measured, stride)),
-            {made(trace) + (named ? " before" : ""), time, thinned(before, stride), true}};
-        if (named) lines.push_back({made(trace) + " after", time, thinned(after, stride), false});
-        return lines;
-    };
-    chart.lines = three(trace.measured, trace.before, trace.after);
-    if (efforts) {
-        chart.below_label = {effort_name(trace.effort), trace.effort_unit};
-        chart.below = three(trace.effort_measured, trace.effort_before, trace.effort_after);
-        chart.shown_share = usual_share;
-    }
-    std::string words = "Position" + std::string(efforts ? " and effort" : "") + " over the whole record";
-    if (stride > 1) words += ", every " + std::to_string(stride) + "th sample";
-    return {{"record-played", chart,
-             words + ". On a screen the record can be played: the joint as it moved and as the " +
-                 (trace.predicted ? "predictions" : "simulations") + " move it, their errors magnified.",
-             words + ", measured and " + made(trace)}};
 }
 
 Figure experiment_figure(const Diagnosis& d)

@@ -81,7 +81,7 @@ Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, con
 {
     const Units units = units_of(joint);
     LineChart chart;
-    chart.title = "Answer to a disturbing force: " + asked.kind;
+    chart.title = "Response to a disturbing force: " + asked.kind;
     chart.fixed =
         is_force_file(asked)
             ? "the file's force times " + plain_number(asked.size)
@@ -97,7 +97,7 @@ Figure disturbance_figure(const Joint& joint, const AskedDisturbance& asked, con
     };
     auto memory = shown(motion.memory), simple = shown(motion.velocity_only);
     memory.name = "with memory";
-    simple.name = "velocity alone";
+    simple.name = "velocity-only model";
     simple.dashed = true;
     chart.lines = {std::move(memory), std::move(simple)};
     return line_figure("forced", std::move(chart),

@@ -136,4 +136,11 @@ MovedBoundary moved_boundary(const Joint& before, const Joint& after, double spe
     return moved;
 }
 
+Section moved_section(MovedBoundary moved, const std::string& text)
+{
+    Section section{"boundary", "Effect on the stability map", moved.sentence + text, std::move(moved.figures), {}};
+    if (!moved.table.rows.empty()) section.tables.push_back(std::move(moved.table));
+    return section;
+}
+
 }  // namespace stickslip

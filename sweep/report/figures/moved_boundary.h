@@ -17,4 +17,7 @@ struct MovedBoundary {
 /// joint without a verdict (no such theory for its model, no velocity) says why in its column; nothing is thrown.
 MovedBoundary moved_boundary(const Joint& before, const Joint& after, double speed, const std::string& with);
 
+/// The same as a section of a page, with a text after the sentence.
+Section moved_section(MovedBoundary moved, const std::string& text = "");
+
 }  // namespace stickslip

@@ -19,7 +19,7 @@ std::string reach_text(const Slice& slice, const FoldReach& reach, Units units)
     const Axis& other = slice.x.path == gain_path ? slice.y : slice.x;
     return " The fold of limit cycles, beyond which none is left, lies up to " + plain_number(reach.ratio) +
            " times the critical gain away: at " + other.symbol + " = " + with_unit(reach.at, other.quantity, units) +
-           " the linear theory asks for k_{p} > " + with_unit(reach.k_cr, Quantity::position_gain, units) +
+           " the linear theory requires k_{p} > " + with_unit(reach.k_cr, Quantity::position_gain, units) +
            ", freedom from stick-slip for " + with_unit(reach.k_p, Quantity::position_gain, units) + ".";
 }
 

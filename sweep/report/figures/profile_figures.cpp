@@ -34,7 +34,7 @@ Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileA
     chart.y_label = {"max Re s", "1/s"};
     chart.x_log = axis.log;
     chart.lines.push_back({"with memory", axis.values, profile.abscissa});
-    chart.lines.push_back({"velocity alone", axis.values, answer.velocity_only_abscissa, true});
+    chart.lines.push_back({"velocity-only model", axis.values, answer.velocity_only_abscissa, true});
     Joint design = joint;
     if (const double own = *find_parameter(design, axis.path); own >= axis.values.front() && own <= axis.values.back())
         chart.x_marks.emplace_back("design", own);
@@ -47,11 +47,12 @@ Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileA
         simple += (simple.empty() ? "" : ", ") + with_unit(point.value, axis.quantity, units, 6);
     Figure figure;
     figure.id = chart_id("profile", axis, axis);
-    figure.finding = (crossings.empty() ? "With memory no change of stability along " + axis.name
-                                        : "With memory stability changes at " + crossings) +
-                     (simple.empty() ? ", by velocity alone nowhere" : ", by velocity alone at " + simple);
+    figure.finding =
+        (crossings.empty() ? "With memory no change of stability along " + axis.name
+                           : "With memory stability changes at " + crossings) +
+        (simple.empty() ? ", in the velocity-only model nowhere" : ", in the velocity-only model at " + simple);
     figure.caption = "Largest real part of the spectrum along " + axis.symbol +
-                     " with memory and with friction that depends on velocity alone; below zero small disturbances "
+                     " with memory and in the velocity-only model; below zero small disturbances "
                      "decay. " +
                      figure.finding + "." +
                      (profile.held.empty() ? "" : " Held: " + held_text(profile.held, units) + ".");

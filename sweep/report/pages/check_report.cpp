@@ -2,10 +2,10 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/report/figures/map_figures.h"
 #include "sweep/words/heading_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <tuple>
 
@@ -81,12 +81,7 @@ Figure figure_of(const Spec& spec, const Axis& x, const Axis& y, const std::vect
             if (!l->x.empty()) chart.lines.push_back(std::move(*l));
     }
     Figure figure;
-    figure.id = "check";
-    for (const auto* axis : {&x, &y}) {
-        figure.id += '-';
-        for (const char c : axis->path.substr(axis->path.rfind('.') + 1))
-            figure.id += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '-';
-    }
+    figure.id = chart_id("check", x, y);
     figure.caption =
         "Each line joins the crossings of up to nine rays, straight from one to the next; the crossings themselves are "
         "located. Where dashed and solid lines coincide, nothing moved.";

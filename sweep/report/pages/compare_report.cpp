@@ -50,13 +50,13 @@ Table table_of(std::string title, const std::vector<ComparedNumber>& numbers, Un
 
 std::vector<ComparedNumber> design_numbers(const LinearVerdict& a, const LinearVerdict& b)
 {
-    return {
-        {"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
-        {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
-        {"least k_{v} by velocity alone", a.velocity_only.k_v_min, b.velocity_only.k_v_min, Quantity::velocity_gain},
-        {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::position_gain},
-        {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
-         Quantity::rate}};
+    return {{"commanded velocity V_{0}", a.steady.velocity, b.steady.velocity, Quantity::velocity},
+            {"friction of steady sliding f_{ss}(V_{0})", a.steady.friction, b.steady.friction, Quantity::effort},
+            {"least k_{v} of the velocity-only model", a.velocity_only.k_v_min, b.velocity_only.k_v_min,
+             Quantity::velocity_gain},
+            {"critical position gain k_{cr}", a.state_variable.k_cr, b.state_variable.k_cr, Quantity::position_gain},
+            {"spectral abscissa max Re s", a.state_variable.spectral_abscissa, b.state_variable.spectral_abscissa,
+             Quantity::rate}};
 }
 
 /// Numbers of the joints that differ, by path.
@@ -142,9 +142,20 @@ bool nothing_changed(const std::vector<ComparedNumber>& numbers)
     });
 }
 
+void add_verdict(Report& report, Standing was, Standing is, bool nothing, bool simulated)
+{
+    report.verdict = nothing     ? "No change: boundaries, regions and numbers are equal."
+                     : was != is ? "The design was " + verdict_words(was, simulated) + " and is " +
+                                       verdict_words(is, simulated) + " now."
+                                 : "The design is " + verdict_words(is, simulated) + ", as before.";
+    report.tone = nothing || is == Standing::stable ? Tone::good
+                  : is < was                        ? Tone::bad
+                  : was == is                       ? Tone::neutral
+                                                    : Tone::warning;
+}
+
 }  // namespace
 
-// In one piece: a page from top to bottom: its sections in their order.
 Report compare_report(const SweepComparison& c)
 {
     const auto &before = c.before, &after = c.after;
@@ -165,16 +176,8 @@ Report compare_report(const SweepComparison& c)
         for (auto& figure : change_figures(c, map)) maps.figures.push_back(std::move(figure));
 
     const bool simulated = before.spec.nonlinear.enabled && after.spec.nonlinear.enabled;
-    const auto was = standing(c.was.region), is = standing(c.is.region);
     const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
-    report.verdict = nothing     ? "No change: boundaries, regions and numbers are equal."
-                     : was != is ? "The design was " + verdict_words(was, simulated) + " and is " +
-                                       verdict_words(is, simulated) + " now."
-                                 : "The design is " + verdict_words(is, simulated) + ", as before.";
-    report.tone = nothing || is == Standing::stable ? Tone::good
-                  : is < was                        ? Tone::bad
-                  : was == is                       ? Tone::neutral
-                                                    : Tone::warning;
+    add_verdict(report, standing(c.was.region), standing(c.is.region), nothing, simulated);
     if (const auto* moved = largest_move(boundaries); moved && moved->before != moved->after) {
         report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
                           ", to " + with_unit(moved->after, moved->quantity, units, 4) + ".";

@@ -1,45 +1,19 @@
-// In one file: three sections of one page that share their words.
 #include "sweep/report/pages/comparison_section.h"
 
-#include "analysis/results/text.h"
 #include "sweep/report/figures/vmin_figure.h"
+#include "sweep/report/pages/gain_words.h"
 #include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stickslip {
 namespace {
 
-struct Words {
-    Units units;
-    std::string damping(double v) const { return with_unit(v, Quantity::velocity_gain, units, 4); }
-    std::string stiffness(double v) const { return with_unit(v, Quantity::position_gain, units, 4); }
-    std::string velocity(double v) const { return with_unit(v, Quantity::velocity, units, 4); }
-    /// Both ways: engineers read data sheets in Hz.
-    std::string frequency(double omega) const
-    {
-        const auto text = with_unit(omega, Quantity::angular_frequency, units, 4);
-        return std::isnan(omega) ? text : text + " (" + plain_number(omega / (2 * std::numbers::pi), 3) + "\u00a0Hz)";
-    }
-    std::string gains(const std::vector<Interval>& set, Quantity q) const { return intervals_text(set, q, units); }
-    /// Where the theories differ: a sliver between edges that read the same is no difference to a reader.
-    std::vector<Interval> differing(const std::vector<Interval>& k_p) const
-    {
-        return that_read_apart(k_p, Quantity::position_gain, units);
-    }
-};
-
-std::string degrees(double angle)
-{
-    return std::isnan(angle) ? "–" : plain_number(angle * 180 / std::numbers::pi, 3) + "°";
-}
-
 /// The least k_v at the joint's own k_p over its searched velocities, by both theories.
 Figure demand_figure(const Joint& joint, const LinearDetails& d)
 {
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     LineChart chart;
     chart.title = "Velocity gain that each theory requires";
     chart.fixed = "k_{p} = " + words.stiffness(joint.control.k_p);
@@ -51,7 +25,7 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
     for (const auto* line : {&d.demanded_memory, &d.demanded_simple})
         chart.y_log = chart.y_log || std::any_of(line->y.begin(), line->y.end(), [](double y) { return y > 0; });
     chart.lines = {{"with memory", d.demanded_memory.x, d.demanded_memory.y},
-                   {"velocity alone", d.demanded_simple.x, d.demanded_simple.y, true}};
+                   {"velocity-only model", d.demanded_simple.x, d.demanded_simple.y, true}};
     chart.x_marks.emplace_back("here", std::abs(d.velocity));
     const auto& here = d.study.comparison;
     return line_figure(
@@ -67,11 +41,11 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
 
 Table comparison_table(const Joint& joint, const LinearStudy& study)
 {
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     const auto& c = study.comparison;
     Table table;
     table.title = "What each theory requires of this joint";
-    table.columns = {"", "velocity alone", "with memory"};
+    table.columns = {"", "velocity-only model", "with memory"};
     if (c.known)
         table.rows = {{"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.units),
                        demanded_text(c.k_v_memory, words.units)},
@@ -106,7 +80,7 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     return table;
 }
 
-std::string comparison_words(const Comparison& c, const Words& words)
+std::string comparison_words(const Comparison& c, const GainWords& words)
 {
     std::string text =
         "The velocity-only model is stable where k_{v} outweighs the falling steady curve, (21); with memory, sliding "
@@ -140,7 +114,7 @@ bool stands_at(const LineChart& chart, double value)
     return !chart.lines.empty() && std::all_of(chart.lines.begin(), chart.lines.end(), same);
 }
 
-std::string stable_everywhere_text(const LineChart& chart, const Interval& velocities, const Words& words)
+std::string stable_everywhere_text(const LineChart& chart, const Interval& velocities, const GainWords& words)
 {
     std::string gains;
     for (const auto& line : chart.lines) gains += (gains.empty() ? "" : ", ") + line.name;
@@ -157,7 +131,7 @@ std::string stable_everywhere_text(const LineChart& chart, const Interval& veloc
 Section comparison_section(const Joint& joint, const LinearDetails& details)
 {
     const auto& study = details.study;
-    const Words words{units_of(joint)};
+    const GainWords words{units_of(joint)};
     Section section{"comparison", "Velocity-only model and memory", comparison_words(study.comparison, words), {}, {}};
     if (!study.comparison.known) section.text += " This loop has no independent gains k_{p} and k_{v}.";
     if (!std::isnan(study.velocities.low)) {
@@ -174,94 +148,6 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
             section.figures.push_back(std::move(slowest));
     }
     section.tables.push_back(comparison_table(joint, study));
-    return section;
-}
-
-Section response_section(const Joint& joint, const LinearDetails& details)
-{
-    const auto& study = details.study;
-    const Words words{units_of(joint)};
-    const auto compliance = [&](double x_per_d) {
-        const bool none = std::isnan(x_per_d);
-        return none ? std::string("–") : with_unit(1 / x_per_d, Quantity::stiffness, words.units, 4);
-    };
-    Section section{"response", "Disturbances and margins", "", {}, {}};
-
-    LineChart chart;
-    chart.title = "Displacement per disturbing force";
-    chart.x_label = axis_label("frequency ω", Quantity::angular_frequency, words.units);
-    chart.y_label = words.units.motion == Motion::prismatic ? AxisName{"|X/D|", "m/N"} : AxisName{"|X/D|", "rad/(N·m)"};
-    chart.x_log = chart.y_log = true;
-    chart.lines = {{"with memory", details.response_memory.x, details.response_memory.y},
-                   {"velocity alone", details.response_simple.x, details.response_simple.y, true}};
-    const bool stable = !std::isnan(study.peak.magnitude);
-    if (stable && study.peak.omega > 0)
-        chart.x_marks.emplace_back("peak at " + with_unit(study.peak.omega, Quantity::angular_frequency, words.units),
-                                   study.peak.omega);
-    const std::string finding =
-        stable ? "The joint yields most at " + words.frequency(study.peak.omega) +
-                     ": a sine of force there meets a stiffness of " + compliance(study.peak.magnitude) +
-                     " only, against " + compliance(study.compliance) + " for a lasting force."
-               : "Sliding is unstable here: the curve is the response of the linear joint, which has no steady sine.";
-    section.figures.push_back(line_figure("response-curve", std::move(chart), finding,
-                                          "Equation (19): displacement of the link per disturbing force on it, about "
-                                          "steady sliding. An impulse, a step or "
-                                          "noise d(t) is answered by the same function."));
-    if (!stable) return section;
-    const auto& m = study.margins;
-    Table table;
-    table.title = "Margins of the loop";
-    table.columns = {"quantity", "value"};
-    table.rows = {{"k_{p} may shrink to this part of itself", plain_number(m.gain_below, 4)},
-                  {"k_{p} may grow by this factor", plain_number(m.gain_above, 4)},
-                  {"phase margin", degrees(m.phase)},
-                  {"at the crossover frequency", words.frequency(m.crossover)}};
-    section.tables.push_back(std::move(table));
-    return section;
-}
-
-Section ramp_section(const Joint& joint, const LinearDetails& details)
-{
-    const Words words{units_of(joint)};
-    Section section{"ramps",
-                    "Force ramps through a spring",
-                    "Armstrong's experiment (§5): the force ramps at a constant rate r through a spring, so that the "
-                    "joint slides at V_{0} = r/k. A stiffer spring gives a smaller velocity, and above the critical "
-                    "stiffness a stable one.",
-                    {},
-                    {}};
-    const double rate = details.ramp_rate;
-    LineChart chart;
-    chart.title = "Stiffness that a ramp needs";
-    chart.fixed = "k_{v} = " + words.damping(joint.control.k_v);
-    chart.x_label = axis_label("rate of force r", Quantity::effort_rate, words.units);
-    chart.y_label = axis_label("k_{p} at the boundary", Quantity::position_gain, words.units);
-    chart.x_log = chart.y_log = true;
-    std::string finding;
-    for (const bool memory : {true, false}) {
-        const auto& springs = (*details.ramps)[!memory];
-        LineChart::Line lower{memory ? "with memory, stable above" : "velocity alone, stable above", springs.above.x,
-                              springs.above.y, !memory},
-            upper{memory ? "with memory, stable below" : "velocity alone, stable below", springs.below.x,
-                  springs.below.y, !memory};
-        const auto drawn = [](const LineChart::Line& l) {
-            return std::any_of(l.y.begin(), l.y.end(), [](double y) { return !std::isnan(y); });
-        };
-        for (auto* line : {&lower, &upper})
-            if (drawn(*line)) chart.lines.push_back(std::move(*line));
-        finding += (finding.empty() ? "At this ramp of " + with_unit(rate, Quantity::effort_rate, words.units) +
-                                          ", springs slide smoothly with memory for k_{p} "
-                                    : "; by velocity alone ") +
-                   words.gains(springs.here, Quantity::position_gain);
-    }
-    if (chart.lines.empty()) {
-        section.text += " " + finding + ".";
-        return section;
-    }
-    chart.x_marks.emplace_back("here", rate);
-    section.figures.push_back(line_figure("ramp-springs", std::move(chart), finding + ".",
-                                          "Ends of the stable springs over the rate of force, searched three decades "
-                                          "to either side of the joint's own spring; V_{0} = r/k_{p} at every point."));
     return section;
 }
 

@@ -50,9 +50,78 @@ Section motion_section(const DesignAnswer& a)
     return {"motion-section", "How it moves", "", {std::move(figure)}, {}};
 }
 
+std::vector<Headline> headlines(const DesignAnswer& a, const DesignUnits& u)
+{
+    const auto& d = a.design;
+    std::vector<Headline> list;
+    list.push_back({Tone::neutral, u.stiffness(d.best.k_p), "position gain k_{p}"});
+    list.push_back({Tone::neutral, u.damping(d.best.k_v), "velocity gain k_{v}"});
+    list.push_back({Tone::neutral, u.position(d.best.motion_noise), "rms motion from sensor noise"});
+    for (const auto& r : d.demands)
+        list.push_back(
+            {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
+             (r.name == "margin" ? "margin: " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
+                                       all_at_once(r.reached, scales_of(a)) + " at once; required: at least "
+                                 : demand_name(r.name) + "; required: at most ") +
+                 demand_value(r, r.demanded, a, u)});
+    return list;
+}
+
+/// Least noise over the margin, and the choices of the page on it.
+Figure front_figure(const DesignAnswer& a, const DesignUnits& u)
+{
+    const auto& d = a.design;
+    const bool motion = a.requirements.objective == DesignObjective::motion;
+    LineChart chart;
+    chart.title = std::string("Least ") + (motion ? "motion" : "effort") + " noise for each margin";
+    chart.x_label = {"margin to the nearest boundary", "1"};
+    chart.y_label = motion ? AxisName{"rms motion", std::string(unit_of(Quantity::position, u.units))}
+                           : AxisName{"rms effort", std::string(unit_of(Quantity::effort, u.units))};
+    const auto noise = [&](const GainChoice& c) { return motion ? c.motion_noise : c.effort_noise; };
+    LineChart::Line line{"least noise", {}, {}};
+    for (const auto& c : d.front) line.x.push_back(c.margin), line.y.push_back(noise(c));
+    chart.lines.push_back(std::move(line));
+    chart.x_marks.emplace_back("required", a.requirements.margin);
+    const auto compared = [&](const char* name, const GainChoice& c) {
+        if (c.margin > 0 && std::isfinite(noise(c))) chart.lines.push_back({name, {c.margin}, {noise(c)}});
+    };
+    compared("best", d.best);
+    if (d.velocity_only_found) compared("velocity-only model", d.velocity_only);
+    compared("as in the joint", d.as_joint);
+    double least = infinity, most = 0;
+    for (const auto& l : chart.lines)
+        for (const double y : l.y) least = std::min(least, y), most = std::max(most, y);
+    chart.y_log = most > 10 * least;
+    Figure figure;
+    figure.id = "noise-against-margin";
+    figure.caption =
+        "Pareto front: no gains within the range have both less noise and more margin, the other requirements "
+        "kept. Points: the choices of the table below" +
+        std::string(d.velocity_only.margin >= d.margin_reach || d.as_joint.margin >= d.margin_reach
+                        ? "; margins are searched up to " + plain_number(d.margin_reach, 3) + "."
+                        : ".");
+    if (d.velocity_only_found && d.velocity_only.margin > 0)
+        figure.caption += " The velocity-only model would choose " + gains_text(d.velocity_only, u) +
+                          " with a noise of " +
+                          (motion ? u.position(noise(d.velocity_only)) : u.effort(noise(d.velocity_only))) + ".";
+    figure.finding = chart.title;
+    figure.picture = std::move(chart);
+    return figure;
+}
+
+Section front_section(const DesignAnswer& a, const DesignUnits& u)
+{
+    Table table;
+    table.title = "The front";
+    table.columns = {"margin", "k_{p}", "k_{v}", "motion noise, rms", "effort noise, rms"};
+    for (const auto& c : a.design.front)
+        table.rows.push_back({plain_number(c.margin), u.stiffness(c.k_p), u.damping(c.k_v), u.position(c.motion_noise),
+                              u.effort(c.effort_noise)});
+    return {"pareto", "Noise against margin", "", {front_figure(a, u)}, {std::move(table)}};
+}
+
 }  // namespace
 
-// In one piece: a page from top to bottom: its sections in their order.
 Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
 {
     const DesignUnits u{units_of(a.joint)};
@@ -63,68 +132,10 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, units_of(a.joint));
     report.tone = d.feasible ? Tone::good : Tone::bad;
     report.snippets = std::move(snippets);
-    if (d.feasible) {
-        report.headlines.push_back({Tone::neutral, u.stiffness(d.best.k_p), "position gain k_{p}"});
-        report.headlines.push_back({Tone::neutral, u.damping(d.best.k_v), "velocity gain k_{v}"});
-        report.headlines.push_back({Tone::neutral, u.position(d.best.motion_noise), "rms motion from sensor noise"});
-        for (const auto& r : d.demands)
-            report.headlines.push_back(
-                {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
-                 (r.name == "margin"
-                      ? "margin: " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
-                            all_at_once(r.reached, scales_of(a)) + " at once; required: at least "
-                      : demand_name(r.name) + "; required: at most ") +
-                     demand_value(r, r.demanded, a, u)});
-    }
+    if (d.feasible) report.headlines = headlines(a, u);
     for (const auto& text : ends_of_range(a, u)) report.alerts.push_back({Tone::warning, text});
     if (a.map) report.sections.push_back(map_section(a));
-    Section front{"pareto", "Noise against margin", "", {}, {}};
-    if (d.front.size() > 1) {
-        const bool motion = a.requirements.objective == DesignObjective::motion;
-        LineChart chart;
-        chart.title = std::string("Least ") + (motion ? "motion" : "effort") + " noise for each margin";
-        chart.x_label = {"margin to the nearest boundary", "1"};
-        chart.y_label = motion ? AxisName{"rms motion", std::string(unit_of(Quantity::position, u.units))}
-                               : AxisName{"rms effort", std::string(unit_of(Quantity::effort, u.units))};
-        const auto noise = [&](const GainChoice& c) { return motion ? c.motion_noise : c.effort_noise; };
-        LineChart::Line line{"least noise", {}, {}};
-        for (const auto& c : d.front) line.x.push_back(c.margin), line.y.push_back(noise(c));
-        chart.lines.push_back(std::move(line));
-        chart.x_marks.emplace_back("required", a.requirements.margin);
-        const auto compared = [&](const char* name, const GainChoice& c) {
-            if (c.margin > 0 && std::isfinite(noise(c))) chart.lines.push_back({name, {c.margin}, {noise(c)}});
-        };
-        compared("best", d.best);
-        if (d.velocity_only_found) compared("velocity-only model", d.velocity_only);
-        compared("as in the joint", d.as_joint);
-        double least = infinity, most = 0;
-        for (const auto& l : chart.lines)
-            for (const double y : l.y) least = std::min(least, y), most = std::max(most, y);
-        chart.y_log = most > 10 * least;
-        Figure figure;
-        figure.id = "noise-against-margin";
-        figure.caption =
-            "Pareto front: no gains within the range have both less noise and more margin, the other requirements "
-            "kept. Points: the choices of the table below" +
-            std::string(d.velocity_only.margin >= d.margin_reach || d.as_joint.margin >= d.margin_reach
-                            ? "; margins are searched up to " + plain_number(d.margin_reach, 3) + "."
-                            : ".");
-        if (d.velocity_only_found && d.velocity_only.margin > 0)
-            figure.caption += " The velocity-only model would choose " + gains_text(d.velocity_only, u) +
-                              " with a noise of " +
-                              (motion ? u.position(noise(d.velocity_only)) : u.effort(noise(d.velocity_only))) + ".";
-        figure.finding = chart.title;
-        figure.picture = std::move(chart);
-        front.figures.push_back(std::move(figure));
-        Table table;
-        table.title = "The front";
-        table.columns = {"margin", "k_{p}", "k_{v}", "motion noise, rms", "effort noise, rms"};
-        for (const auto& c : d.front)
-            table.rows.push_back({plain_number(c.margin), u.stiffness(c.k_p), u.damping(c.k_v),
-                                  u.position(c.motion_noise), u.effort(c.effort_noise)});
-        front.tables.push_back(std::move(table));
-        report.sections.push_back(std::move(front));
-    }
+    if (d.front.size() > 1) report.sections.push_back(front_section(a, u));
     if (!a.motion.time.empty()) report.sections.push_back(motion_section(a));
     Section choices{"choices", "Choices", "", {}, design_tables(a)};
     report.sections.push_back(std::move(choices));

@@ -99,9 +99,55 @@ Diagnosis in_units_of_the_record(Diagnosis d)
     return d;
 }
 
+Section where_section(const Diagnosis& d)
+{
+    Section where{"where",
+                  "Where the gap lies",
+                  "Bars are shares of the gap, whiskers their 95 % intervals; stages are compared as efforts on the "
+                  "mechanism.",
+                  {},
+                  {shares_table("By stage of the chain", d.signals)}};
+    if (!d.signals.empty()) where.figures.push_back(where_figure(d));
+    if (!d.regimes.empty())
+        where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
+    return where;
+}
+
+Section what_section(const Diagnosis& d)
+{
+    Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
+    if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
+    if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
+    what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].tell_tale + "."
+                                          : "No cause is named; these are the candidates.";
+    return what;
+}
+
+Section much_section(const Diagnosis& d)
+{
+    const bool named = d.verdict == Verdict::gap;
+    Section much{"how-much",
+                 named ? "How far the gap shrinks" : "How large the gap is",
+                 named ? "All numbers are from held-out data." : "The documented joint compared with the records.",
+                 {},
+                 {gap_table(d)}};
+    much.figures = trace_figures(d);
+    return much;
+}
+
+Section boundary_section(const Diagnosis& d, const Joint& before, const Joint& after)
+{
+    const bool given = is_set(before.control.V0);
+    constexpr double slow_part = 0.1;  // where stick-slip is to be feared
+    auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
+                                "with " + together(d.effects[0].names));
+    return moved_section(std::move(moved),
+                         " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
+                         "terms that depend on position or time are not in this theory.");
+}
+
 }  // namespace
 
-// In one piece: a page from top to bottom: its sections in their order.
 Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after,
                         std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets,
                         bool rig)
@@ -138,49 +184,12 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
 
     if (auto played = played_figures(d); !played.empty())
         r.sections.push_back({"played", "The motion, measured and simulated", "", std::move(played), {}});
-    Section where{"where",
-                  "Where the gap lies",
-                  "Bars are shares of the gap, whiskers their 95 % intervals; stages are compared as efforts on the "
-                  "mechanism.",
-                  {},
-                  {shares_table("By stage of the chain", d.signals)}};
-    if (!d.signals.empty()) where.figures.push_back(where_figure(d));
-    if (!d.regimes.empty())
-        where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
-    const bool named = d.verdict == Verdict::gap;
-    Section much{"how-much",
-                 named ? "How far the gap shrinks" : "How large the gap is",
-                 named ? "All numbers are from held-out data." : "The documented joint compared with the records.",
-                 {},
-                 {gap_table(d)}};
-    much.figures = trace_figures(d);
     // shares of noise would look like findings
-    if (d.verdict != Verdict::no_gap) r.sections.push_back(std::move(where));
-    if (!d.effects.empty()) {
-        Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
-        if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
-        if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
-        what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].tell_tale + "."
-                                              : "No cause is named; these are the candidates.";
-        r.sections.push_back(std::move(what));
-    }
-    r.sections.push_back(std::move(much));
+    if (d.verdict != Verdict::no_gap) r.sections.push_back(where_section(d));
+    if (!d.effects.empty()) r.sections.push_back(what_section(d));
+    r.sections.push_back(much_section(d));
     r.sections.push_back(next_section(d));
-    if (d.verdict == Verdict::gap && !rig) {
-        const bool given = is_set(before.control.V0);
-        constexpr double slow_part = 0.1;  // where stick-slip is to be feared
-        auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
-                                    "with " + together(d.effects[0].names));
-        Section boundary{"boundary",
-                         "Effect on the stability map",
-                         moved.sentence +
-                             " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
-                             "terms that depend on position or time are not in this theory.",
-                         std::move(moved.figures),
-                         {}};
-        if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
-        r.sections.push_back(std::move(boundary));
-    }
+    if (d.verdict == Verdict::gap && !rig) r.sections.push_back(boundary_section(d, before, after));
     r.sections.push_back({"data",
                           "Data",
                           "diagnosis.json beside this page has every number of this page under stable names.",

@@ -44,7 +44,7 @@ Figure regions()
     Figure figure;
     figure.id = "regions";
     figure.finding =
-        "Velocity alone asks for k_{v} > 500 N·s/m at every k_{p}; with memory a k_{p} above k_{cr}, 55 kN/m "
+        "The velocity-only model requires k_{v} > 500 N·s/m at every k_{p}; with memory a k_{p} above k_{cr}, 55 kN/m "
         "at k_{v} = 0, is enough, and k_{cr} falls as k_{v} grows.";
     figure.caption = figure.finding +
                      " Dashed: (21). Solid: (34)-(35). Hatched: stable only with memory, the second regime of stable "
@@ -105,8 +105,8 @@ Figure armstrong()
     chart.x_label = axis_label("velocity V_{0}", Quantity::velocity, prismatic);
     chart.y_label = axis_label("least k_{v}", Quantity::damping, prismatic);
     chart.x_log = chart.y_log = true;
-    LineChart::Line gauss{"velocity alone, (22)-(23)", {}, {}, true},
-        logarithm{"velocity alone, slope of (6)", {}, {}, true}, soft{"with memory, k_{p} = 20 kN/m", {}, {}},
+    LineChart::Line gauss{"velocity-only model, (22)-(23)", {}, {}, true},
+        logarithm{"velocity-only model, slope of (6)", {}, {}, true}, soft{"with memory, k_{p} = 20 kN/m", {}, {}},
         stiff{"with memory, k_{p} = 52 kN/m", {}, {}};
     constexpr double least_shown = 0.1;  // N·s/m
     for (const double V : log_steps(1e-5, 1e-1, 161)) {
@@ -135,7 +135,7 @@ Figure armstrong()
         "By (22) the required damping falls with velocity, by (6) it grows as (B − A)/V_{0}; with memory a "
         "stiff spring needs less, and at the lowest velocities none.",
         "Armstrong found stick-slip in the falling range except at the very lowest velocities, reached with "
-        "the stiffest springs, with far less damping there than (22) with his parameters asks for.");
+        "the stiffest springs, with far less damping there than (22) with his parameters requires.");
 }
 
 /// §5: ramps of force through springs.
@@ -168,7 +168,7 @@ Figure ramps()
     return line_figure(
         "ramps-of-force", std::move(chart),
         "Along one ramp, a stiffer spring slides slower and, above the critical stiffness, smoothly.",
-        "Force control (10): the force ramps at r through the spring k_{p}. Velocity alone finds no stable "
+        "Force control (10): the force ramps at r through the spring k_{p}. The velocity-only model finds no stable "
         "spring for this friction at k_{v} = 0.");
 }
 

@@ -114,7 +114,8 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
         report.headlines = {nearest_headline(*answer.nearest, units)};
         name_symbols(report, *answer.nearest, units);
         if (linear.loop.kind == LoopKind::ideal) {
-            report.headlines.push_back(demand("by velocity alone", c.k_v_velocity_only, joint.control.k_v, units));
+            report.headlines.push_back(
+                demand("by the velocity-only model", c.k_v_velocity_only, joint.control.k_v, units));
             report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, units));
         } else if (joint.control.kind == ControlKind::position) {
             report.headlines.push_back(

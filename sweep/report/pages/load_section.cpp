@@ -20,7 +20,8 @@ Figure growth_figure(const LoadStudy& study, Units units)
 {
     auto chart = over_load("Growth rate over the normal load");
     chart.y_label = axis_label("max Re s", Quantity::rate, units);
-    LineChart::Line memory{"with memory", {}, {}}, simple{"velocity alone", {}, {}, true}, zero{"no growth", {}, {}};
+    LineChart::Line memory{"with memory", {}, {}}, simple{"velocity-only model", {}, {}, true},
+        zero{"no growth", {}, {}};
     for (const auto& v : study.at) {
         for (auto* line : {&memory, &simple, &zero}) line->x.push_back(v.load);
         memory.y.push_back(v.state_variable);
@@ -31,7 +32,7 @@ Figure growth_figure(const LoadStudy& study, Units units)
     return line_figure(
         "load-growth", std::move(chart),
         "Sliding is stable at the loads of " + percent(study.stable_state_variable) +
-            " of the record with memory, of " + percent(study.stable_velocity_only) + " by velocity alone.",
+            " of the record with memory, of " + percent(study.stable_velocity_only) + " in the velocity-only model.",
         "σ_{n} of (1) multiplies the friction; below zero a small disturbance decays. Each load is taken "
         "as held long enough for sliding to become steady.");
 }
@@ -48,8 +49,8 @@ Figure gain_figure(const Joint& joint, const LoadStudy& study, Units units)
     }
     chart.lines = {std::move(critical), std::move(own)};
     return line_figure("load-gain", std::move(chart),
-                       "The record asks for the largest gain at a load of " + plain_number(study.hardest_load, 4) +
-                           ": " + with_unit(study.hardest_k_cr, Quantity::position_gain, units, 4) + ".",
+                       "The largest gain is required at a load of " + plain_number(study.hardest_load, 4) + ": " +
+                           with_unit(study.hardest_k_cr, Quantity::position_gain, units, 4) + ".",
                        "A position gain above the curve keeps sliding stable at that load.");
 }
 
@@ -68,7 +69,7 @@ Table load_table(const Joint& joint, const LoadStudy& study)
     table.rows = {
         {"normal loads", span_text(study.low, study.high, Quantity::number, units, low_to_high, 4)},
         {"stable share of the record, with memory", percent(study.stable_state_variable)},
-        {"stable share of the record, velocity alone", percent(study.stable_velocity_only)},
+        {"stable share of the record, velocity-only model", percent(study.stable_velocity_only)},
         {"largest critical position gain k_{cr}",
          std::isnan(study.hardest_k_cr) ? "none"
                                         : with_unit(study.hardest_k_cr, Quantity::position_gain, units, 4) + where},

@@ -15,9 +15,36 @@ using gap::LawFit;
 using gap::OutcomeAnswer;
 using Tone = Headline::Tone;
 
+std::vector<Headline> headlines(const OutcomeAnswer& a)
+{
+    const auto& d = a.diagnosis;
+    std::vector<Headline> list;
+    const LawFit& best = a.laws.front();
+    if (d.verdict == Verdict::gap) {
+        list.push_back({Tone::warning, std::string(best.rival->law),
+                        "what: the law that explains the rows (" + std::string(best.rival->effect) + ")"});
+        list.push_back({Tone::neutral, fmt::format("{:.0f} %", 100 * best.posterior), "how sure: its probability"});
+    }
+    list.push_back(
+        {Tone::neutral, fmt::format("{} → {} of {}", a.nominal.misjudged, best.misjudged, a.outcomes.size()),
+         "how much: rows misjudged by the nominal joint → by " + std::string(best.rival->law) + " where held out"});
+    const Share* worst = nullptr;
+    for (const auto& s : d.regimes)
+        if (!worst || s.share > worst->share) worst = &s;
+    if (worst)
+        list.push_back({Tone::neutral, worst->name,
+                        fmt::format("where: {:.0f} % of what the nominal joint gets wrong", 100 * worst->share)});
+    return list;
+}
+
+Section boundary_section(const OutcomeAnswer& a, const Joint& nominal)
+{
+    return moved_section(
+        moved_boundary(nominal, a.after, a.diagnosis.usual_speed, "with " + std::string(a.laws.front().rival->law)));
+}
+
 }  // namespace
 
-// In one piece: a page from top to bottom: its sections in their order.
 Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joint& nominal,
                       std::vector<std::pair<std::string, std::string>> provenance)
 {
@@ -37,23 +64,7 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
         "best");
     r.provenance = std::move(provenance);
     if (a.laws.empty()) return r;
-    const LawFit& best = a.laws.front();
-    if (d.verdict == Verdict::gap) {
-        r.headlines.push_back({Tone::warning, std::string(best.rival->law),
-                               "what: the law that explains the rows (" + std::string(best.rival->effect) + ")"});
-        r.headlines.push_back(
-            {Tone::neutral, fmt::format("{:.0f} %", 100 * best.posterior), "how sure: its probability"});
-    }
-    r.headlines.push_back(
-        {Tone::neutral, fmt::format("{} → {} of {}", a.nominal.misjudged, best.misjudged, a.outcomes.size()),
-         "how much: rows misjudged by the nominal joint → by " + std::string(best.rival->law) + " where held out"});
-    const Share* worst = nullptr;
-    for (const auto& s : d.regimes)
-        if (!worst || s.share > worst->share) worst = &s;
-    if (worst)
-        r.headlines.push_back(
-            {Tone::neutral, worst->name,
-             fmt::format("where: {:.0f} % of what the nominal joint gets wrong", 100 * worst->share)});
+    r.headlines = headlines(a);
 
     Section map{"map", "The rows on the map", "", {}, {}};
     for (const auto& found : maps.maps) map.figures.push_back(outcome_map(a, found, map.figures.size() + 1));
@@ -77,12 +88,7 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
                  {},
                  {}};
     r.sections.insert(r.sections.end(), {std::move(what), std::move(where), std::move(next)});
-    if (d.verdict == Verdict::gap) {
-        auto moved = moved_boundary(nominal, a.after, d.usual_speed, "with " + std::string(best.rival->law));
-        Section boundary{"boundary", "Effect on the stability map", moved.sentence, std::move(moved.figures), {}};
-        if (!moved.table.rows.empty()) boundary.tables.push_back(std::move(moved.table));
-        r.sections.push_back(std::move(boundary));
-    }
+    if (d.verdict == Verdict::gap) r.sections.push_back(boundary_section(a, nominal));
     r.sections.push_back({"rows", "Data", "", {}, {rows_table(a)}});
     return r;
 }

@@ -101,7 +101,7 @@ Section margin_section(const SetPointDesignAnswer& a)
     for (const auto way : {SetPointWay::dead_zone, SetPointWay::push_and_dead_zone})
         if (const auto* c = choice_of(a.design, way); c && c->holds)
             chart.lines.push_back({way_text(way), {a.friction_margin}, {c->rest_error}});
-    chart.x_marks.emplace_back("asked", a.friction_margin);
+    chart.x_marks.emplace_back("specified", a.friction_margin);
     auto figure = line_figure("margin", std::move(chart),
                               "Largest error at rest of each solution, against the uncertainty of friction.",
                               "A line ends where its solution no longer prevents hunting for every friction. Dead "

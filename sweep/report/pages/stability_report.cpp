@@ -91,9 +91,37 @@ std::vector<std::string> not_checked(const Spec& spec)
     return list;
 }
 
+Section outcome_section(const Joint& joint, const SweepSummary& summary, const SweepAnswer& answer)
+{
+    const Units units = units_of(joint);
+    Section outcomes{"outcomes", "Limit cycles", "", {}, {}};
+    for (std::size_t i = 0; i < summary.slices.size(); ++i)
+        for (auto& figure : outcome_figures(units, summary.slices[i], answer.maps[i]))
+            outcomes.figures.push_back(std::move(figure));
+    for (const auto& profile : summary.profiles)
+        for (auto& figure : outcome_profiles(joint, profile)) outcomes.figures.push_back(std::move(figure));
+    return outcomes;
+}
+
+Section gain_section(const SweepAnswer& answer, Units units)
+{
+    Section gains{"critical-gain", "Critical position gain", "", {}, {}};
+    for (const auto& surface : answer.surfaces) gains.figures.push_back(surface_figure(surface, units));
+    for (auto& figure : loop_figures(answer.design.locus, units)) gains.figures.push_back(std::move(figure));
+    return gains;
+}
+
+Section design_section(const Spec& spec, const Joint& joint, const SweepAnswer& answer)
+{
+    Section design{"design", "The design point", "", {model_drawing_figure(joint, "lumped-model")}, {}};
+    if (!answer.margins.empty()) design.tables.push_back(margin_table(answer.margins, units_of(joint)));
+    if (answer.design.slides) design.tables.push_back(linear_table(joint, answer.design.linear));
+    if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, answer.design.nonlinear));
+    return design;
+}
+
 }  // namespace
 
-// In one piece: a page from top to bottom: its sections in their order.
 Report stability_report(const Spec& spec, const SweepSummary& summary, const SweepAnswer& answer)
 {
     const Joint joint = design_joint(spec);
@@ -144,24 +172,10 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
         maps.figures.push_back(profile_figure(joint, summary.profiles[i], answer.profiles[i]));
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 
-    Section outcomes{"outcomes", "Limit cycles", "", {}, {}};
-    for (std::size_t i = 0; i < summary.slices.size(); ++i)
-        for (auto& figure : outcome_figures(units, summary.slices[i], answer.maps[i]))
-            outcomes.figures.push_back(std::move(figure));
-    for (const auto& profile : summary.profiles)
-        for (auto& figure : outcome_profiles(joint, profile)) outcomes.figures.push_back(std::move(figure));
-    if (!outcomes.figures.empty()) report.sections.push_back(std::move(outcomes));
-
-    Section gains{"critical-gain", "Critical position gain", "", {}, {}};
-    for (const auto& surface : answer.surfaces) gains.figures.push_back(surface_figure(surface, units));
-    for (auto& figure : loop_figures(own.locus, units)) gains.figures.push_back(std::move(figure));
-    if (!gains.figures.empty()) report.sections.push_back(std::move(gains));
-
-    Section design{"design", "The design point", "", {model_drawing_figure(joint, "lumped-model")}, {}};
-    if (!margins.empty()) design.tables.push_back(margin_table(margins, units));
-    if (slides) design.tables.push_back(linear_table(joint, linear));
-    if (spec.nonlinear.enabled) design.tables.push_back(nonlinear_table(joint, own.nonlinear));
-    report.sections.push_back(std::move(design));
+    if (auto outcomes = outcome_section(joint, summary, answer); !outcomes.figures.empty())
+        report.sections.push_back(std::move(outcomes));
+    if (auto gains = gain_section(answer, units); !gains.figures.empty()) report.sections.push_back(std::move(gains));
+    report.sections.push_back(design_section(spec, joint, answer));
     for (auto& section : linear_sections(joint, own.details)) report.sections.push_back(std::move(section));
 
     report.not_checked = not_checked(spec);

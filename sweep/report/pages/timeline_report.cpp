@@ -129,7 +129,7 @@ Table runs_table(const Timeline& t, CellMarks& marks)
         std::string moved;
         if (i > 0)
             for (const auto& change : t.steps[i - 1].numbers)
-                if (change.of != FoundNumber::Of::correction && told(change, t.steps[i - 1]) &&
+                if (change.of != FoundNumber::Of::correction && is_reported(change, t.steps[i - 1]) &&
                     change.moved(standard_errors_of_a_move))
                     moved += (moved.empty() ? "" : "; ") + change_text(change);
         table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), floors(facts.overall.before),
@@ -140,7 +140,7 @@ Table runs_table(const Timeline& t, CellMarks& marks)
     return table;
 }
 
-/// What somebody called the folder of a diagnosis, where that distinguishes it from the other's.
+/// The name of the folder of a diagnosis, where that distinguishes it from the other's.
 std::string short_name(const DiagnosisFacts& of, const DiagnosisFacts& other)
 {
     const auto folder = [](const DiagnosisFacts& facts) {
@@ -162,7 +162,7 @@ Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
         {tone_of(c.before), floors(c.before.overall.before), "× the noise floor before: " + outcome_name(c.before)},
         {tone_of(c.after), floors(c.after.overall.before), "× the noise floor now: " + outcome_name(c.after)}};
     for (const auto& change : c.numbers)
-        if (change.in_both() && change.of != FoundNumber::Of::correction && told(change, c)) {
+        if (change.in_both() && change.of != FoundNumber::Of::correction && is_reported(change, c)) {
             r.headlines.push_back({change.moved(standard_errors_of_a_move) ? Tone::warning : Tone::neutral,
                                    plain_number(std::abs(change.standard_errors), 3),
                                    "standard errors between the two values of " + change.name});

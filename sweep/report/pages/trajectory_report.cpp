@@ -24,9 +24,9 @@ std::vector<double> settled(const Trajectory& t, const std::vector<double>& valu
 /// "between −1 µm and 3 µm": what a chart's last line spans.
 std::string range(const std::vector<double>& values, Quantity quantity, Units units)
 {
-    constexpr double told = 1e-12;  // of the largest: less is the rounding of a rest
+    constexpr double resolved = 1e-12;  // of the largest: less is the rounding of a rest
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double least = told * std::max(std::abs(*low), std::abs(*high));
+    const double least = resolved * std::max(std::abs(*low), std::abs(*high));
     const auto or_zero = [&](double value) { return std::abs(value) < least ? 0 : value; };
     return span_text(or_zero(*low), or_zero(*high), quantity, units);
 }

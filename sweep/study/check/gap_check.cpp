@@ -43,7 +43,7 @@ std::vector<GapRegression> gap_regressions(const DiagnosisComparison& c, const G
     if (!was.differs()) return {{Kind::new_gap, {}, {}}};
     std::vector<GapRegression> found;
     if (grown(was.overall.before, is.overall.before, tolerance.gap)) found.push_back({Kind::grown, {}, {}});
-    // a gap is in noise floors: what a true model leaves scatters round 1
+    // a gap is in multiples of the noise floor: what a true model leaves scatters round 1
     const double left = std::max(was.overall.after, 1.0);
     if (is.verdict == Verdict::gap && was.verdict == Verdict::gap && grown(left, is.overall.after, tolerance.gap))
         found.push_back({Kind::remainder, {}, {}});

@@ -54,7 +54,7 @@ void add_friction(std::vector<PaperNumber>& list)
 void add_velocity_only(std::vector<PaperNumber>& list)
 {
     Joint joint = paper_joint();
-    list.push_back({"(21)", "least k_{v} by velocity alone: (B − A)/V_{0}", (B - A) / V0,
+    list.push_back({"(21)", "least k_{v} of the velocity-only model: (B − A)/V_{0}", (B - A) / V0,
                     compare_theories(joint).k_v_demanded_velocity_only(), Quantity::damping});
     const double c1 = 30, c2 = 5, c3 = 0.01;
     joint.friction = {};

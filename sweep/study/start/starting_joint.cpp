@@ -2,6 +2,7 @@
 
 #include "analysis/joint/keys.h"
 #include "analysis/joint/parameters.h"
+#include "sweep/study/start/row_filler.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -65,37 +66,6 @@ const Example* example_of(std::string_view path, Model model)
     return found == std::end(examples) ? nullptr : found;
 }
 
-/// One row in each list that a law needs, so that there are numbers to fill; delays and neighbours are a choice.
-struct RowFiller {
-    void number(const Field&, double&) {}
-    void numbers(const Field& f, NumberList& list)
-    {
-        if (list.size == 0 && f.need == Need::required) list.push_back(not_set);
-    }
-    void flag(std::string_view, std::string_view, bool&) {}
-    void text(std::string_view, std::string_view, std::string&) {}
-    void samples(std::string_view, std::string_view, std::string&, KernelTablePtr&) {}
-    template <class Enum, std::size_t n>
-    void choice(std::string_view, std::string_view, Enum&, const Choice<Enum> (&)[n])
-    {
-    }
-    template <class Struct>
-    void table(std::string_view, std::string_view, Struct& s)
-    {
-        Struct::fields(s, *this);
-    }
-    template <class Struct, int capacity>
-    void rows(std::string_view key, std::string_view, ShortList<Struct, capacity>& list)
-    {
-        if (list.size == 0 && key != "delays" && key != "neighbour") list.push_back({});
-    }
-    template <class... Laws>
-    void law(std::variant<Laws...>& law)
-    {
-        std::visit([this](auto& l) { std::decay_t<decltype(l)>::fields(l, *this); }, law);
-    }
-};
-
 }  // namespace
 
 Joint starting_joint(Model model, const std::string& law, Motion motion)
@@ -107,7 +77,7 @@ Joint starting_joint(Model model, const std::string& law, Motion motion)
         if (!key.path.ends_with(".law")) continue;
         if (!choose(joint, key.path, law)) throw std::invalid_argument("there is no friction law " + law);
     }
-    RowFiller filler;
+    RowFiller filler{RowFiller::Lists::needed};
     Joint::fields(joint, filler);
     for (auto& parameter : parameters(joint)) {
         const bool wanted = parameter.need == Need::required || parameter.path == "control.V0" ||

@@ -33,7 +33,36 @@ inline Joint example_joint(double k_p, double k_v, double V0)
     return joint;
 }
 
-/// The same joint under the ageing law with the numbers of its slip law.
+/// The same with k_v = 10 N·s/m at 1 mm/s in a loop of 1 kHz that differences its readings.
+inline Joint ticked_joint(double k_p, double delay = 0)
+{
+    Joint joint = example_joint(k_p, 10, 1e-3);
+    joint.control.period = 1e-3, joint.control.delay = delay;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    return joint;
+}
+
+/// An elbow with a strain wave gear that creeps, its motor's friction under a contact that remembers, an encoder of 19
+/// bits behind a reduction of 100 and its noise.
+inline Joint creeping_elbow(double k_p, double k_v, double V0)
+{
+    Joint joint;
+    auto& m = joint.mechanism;
+    m.motion = Motion::revolute, m.model = Model::two_mass;
+    m.motor_inertia = 0.52, m.link_inertia = 1.1;
+    m.transmission.stiffness = 31000, m.transmission.damping = 30;
+    auto& c = joint.control;
+    c.k_p = k_p, c.k_v = k_v, c.V0 = V0, c.period = 1e-3;
+    c.velocity_estimate.form = EstimateForm::backward_difference, c.velocity_estimate.tau = 1e-3;
+    joint.frictions.motor.law = CoulombViscous{10, 0.2};
+    joint.frictions.link.law = CoulombViscous{0.8, 0.5};
+    auto& memory = joint.frictions.motor.memory;
+    memory.A = 0.1, memory.B = 0.15, memory.L = 4e-6;
+    joint.sensor.encoder_quantum = 1.2e-7, joint.sensor.position_noise = 2e-7;
+    return joint;
+}
+
+/// A joint under the ageing law with the numbers of its slip law.
 inline Joint with_ageing(Joint joint)
 {
     Ageing law;

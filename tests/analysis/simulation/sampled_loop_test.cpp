@@ -7,6 +7,7 @@
 #include "analysis/simulation/sampled/loop_record.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/real_loop.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -17,22 +18,7 @@ using namespace stickslip;
 
 namespace {
 
-/// The joint of PHYSICS §3 in a loop of 1 kHz.
-Joint sampled_joint(double k_p, double delay = 0)
-{
-    RateAndState law;
-    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
-    law.B.push_back(1.5), law.L.push_back(1e-5);
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = k_p, joint.control.k_v = 10, joint.control.V0 = 1e-3;
-    joint.control.period = 1e-3, joint.control.delay = delay;
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    joint.friction.law = law;
-    return joint;
-}
-
-/// ln max|z| / T of that joint with whole ticks of dead time: the matrix exponential of mechanism and hold, then the
+/// ln max|z| / T of ticked_joint with whole ticks of dead time: the matrix exponential of mechanism and hold, then the
 /// difference of readings.
 double growth_of(double k_p, int dead_ticks)
 {
@@ -90,7 +76,7 @@ double amplitude_by_runge_kutta(double k_p, int dead_ticks, double seconds)
 
 TEST_CASE("sampled loop: the reference design is stick-slip at 1 kHz with one tick of dead time", "[sampled]")
 {
-    const auto late = nonlinear_verdict(sampled_joint(60e3, 1e-3), {});
+    const auto late = nonlinear_verdict(ticked_joint(60e3, 1e-3), {});
     CHECK(late.outcome == Outcome::limit_cycle);
     CHECK(late.region == NonlinearRegion::stick_slip);
     CHECK(late.path == DecisionPath::ticks);
@@ -98,10 +84,10 @@ TEST_CASE("sampled loop: the reference design is stick-slip at 1 kHz with one ti
     CHECK(late.period == Approx(96.615e-3).epsilon(1e-5));
     CHECK(std::log(late.velocity_min / 1e-3) == Approx(-1.13878).margin(2e-5));
     CHECK(std::log(late.velocity_max / 1e-3) == Approx(1.27205).margin(2e-5));
-    const auto prompt = nonlinear_verdict(sampled_joint(50e3), {});
+    const auto prompt = nonlinear_verdict(ticked_joint(50e3), {});
     CHECK(prompt.amplitude == Approx(22.1829e-6).epsilon(1e-5));
     CHECK(prompt.period == Approx(109.448e-3).epsilon(1e-5));
-    const auto stiff = nonlinear_verdict(sampled_joint(67e3, 1e-3), {});
+    const auto stiff = nonlinear_verdict(ticked_joint(67e3, 1e-3), {});
     CHECK(stiff.outcome == Outcome::stable_sliding);
     CHECK(stiff.region == NonlinearRegion::stable);
     CHECK(stiff.growth_rate < 0);
@@ -111,7 +97,7 @@ TEST_CASE("sampled loop: small motions grow at the rate of the multipliers", "[s
 {
     for (const int dead_ticks : {0, 1, 3})
         for (const double k_p : {40e3, 60e3, 90e3}) {
-            const auto verdict = loop_verdict(sampled_joint(k_p, dead_ticks * 1e-3), {.region = false});
+            const auto verdict = loop_verdict(ticked_joint(k_p, dead_ticks * 1e-3), {.region = false});
             INFO("k_p " << k_p << ", dead ticks " << dead_ticks);
             const double told = growth_of(k_p, dead_ticks);
             CHECK(verdict.growth_rate == Approx(told).epsilon(1e-5));
@@ -126,7 +112,7 @@ TEST_CASE("sampled loop: elements of friction that slip at their yield force tak
     law.elements.push_back({29419, 0.368});
     law.elements.push_back({326, 0.19});
     law.viscous = 0.95;
-    Joint joint = sampled_joint(1e4);
+    Joint joint = ticked_joint(1e4);
     joint.mechanism.inertia = 0.5, joint.control.k_v = 20, joint.control.V0 = 0.0144;
     joint.friction.law = law;
     const auto sampled = loop_verdict(joint, {});
@@ -140,7 +126,7 @@ TEST_CASE("sampled loop: elements of friction that slip at their yield force tak
 
 TEST_CASE("sampled loop: a joint whose rates leave no time step is refused in words", "[sampled]")
 {
-    Joint joint = sampled_joint(1e300);
+    Joint joint = ticked_joint(1e300);
     joint.control.period = not_set, joint.control.velocity_estimate = {}, joint.actuator.effort_gain = 2;
     joint.mechanism.inertia = 1e-300;
     const auto verdict = loop_verdict(joint, {});
@@ -151,7 +137,7 @@ TEST_CASE("sampled loop: a joint whose rates leave no time step is refused in wo
 TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled][slow]")
 {
     for (const auto [k_p, dead_ticks] : {std::pair{45e3, 0}, {58e3, 1}, {62e3, 2}}) {
-        const auto verdict = loop_verdict(sampled_joint(k_p, dead_ticks * 1e-3), {.region = false});
+        const auto verdict = loop_verdict(ticked_joint(k_p, dead_ticks * 1e-3), {.region = false});
         INFO("k_p " << k_p << ", dead ticks " << dead_ticks);
         CHECK(verdict.cycle.amplitude == Approx(amplitude_by_runge_kutta(k_p, dead_ticks, 20)).epsilon(1e-4));
     }
@@ -159,7 +145,7 @@ TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled][slo
 
 TEST_CASE("sampled loop: a cascade is the sum of gains that it comes to", "[sampled]")
 {
-    Joint sum = sampled_joint(60e3, 1e-3), cascade = sum;
+    Joint sum = ticked_joint(60e3, 1e-3), cascade = sum;
     sum.control.k_v = 40, sum.control.k_i = 2e5;
     // K_v K_pos + K_i = 60e3, K_i K_pos = 2e5, K_v = 40
     auto& c = cascade.control;
@@ -175,7 +161,7 @@ TEST_CASE("sampled loop: a cascade is the sum of gains that it comes to", "[samp
 
 TEST_CASE("sampled loop: a limit below the friction of steady sliding is said", "[sampled]")
 {
-    Joint joint = sampled_joint(60e3);
+    Joint joint = ticked_joint(60e3);
     joint.control.effort_limit = 50;
     const auto verdict = nonlinear_verdict(joint, {});
     CHECK(verdict.outcome == Outcome::undecided);
@@ -185,7 +171,7 @@ TEST_CASE("sampled loop: a limit below the friction of steady sliding is said", 
 
 TEST_CASE("sampled loop: ticks that get shorter lead to the continuous loop, and that to the ideal one", "[sampled]")
 {
-    Joint continuous = sampled_joint(50e3);
+    Joint continuous = ticked_joint(50e3);
     continuous.control.period = not_set;
     const auto ideal = nonlinear_verdict(continuous, {.region = false});
     continuous.actuator.lag = 1e-7;
@@ -196,7 +182,7 @@ TEST_CASE("sampled loop: ticks that get shorter lead to the continuous loop, and
 
 TEST_CASE("sampled loop: a coarse encoder leaves a jitter of about its step", "[sampled]")
 {
-    Joint joint = sampled_joint(80e3, 1e-3);
+    Joint joint = ticked_joint(80e3, 1e-3);
     joint.sensor.encoder_quantum = 1e-7;
     const auto verdict = nonlinear_verdict(joint, {});
     CHECK(verdict.outcome == Outcome::stable_sliding);
@@ -210,47 +196,23 @@ TEST_CASE("sampled loop: a coarse encoder leaves a jitter of about its step", "[
     CHECK(std::isnan(point.amplitude));
 }
 
-namespace {
-
-/// An elbow with a strain wave gear that creeps, its motor's friction under a contact that remembers, an encoder of 19
-/// bits behind a reduction of 100 and its noise.
-Joint creeping_elbow(double k_p, double k_v)
-{
-    Joint joint;
-    auto& m = joint.mechanism;
-    m.motion = Motion::revolute, m.model = Model::two_mass;
-    m.motor_inertia = 0.52, m.link_inertia = 1.1;
-    m.transmission.stiffness = 31000, m.transmission.damping = 30;
-    auto& c = joint.control;
-    c.k_p = k_p, c.k_v = k_v, c.V0 = 8.7e-5, c.period = 1e-3;
-    c.velocity_estimate.form = EstimateForm::backward_difference, c.velocity_estimate.tau = 1e-3;
-    joint.frictions.motor.law = CoulombViscous{10, 0.2};
-    joint.frictions.link.law = CoulombViscous{0.8, 0.5};
-    auto& memory = joint.frictions.motor.memory;
-    memory.A = 0.1, memory.B = 0.15, memory.L = 4e-6;
-    joint.sensor.encoder_quantum = 1.2e-7, joint.sensor.position_noise = 2e-7;
-    return joint;
-}
-
-}  // namespace
-
 TEST_CASE("sampled loop: a strain wave gear that creeps under an encoder and noise is decided", "[sampled][slow]")
 {
-    const auto soft = nonlinear_verdict(creeping_elbow(6e3, 200), {});
+    const auto soft = nonlinear_verdict(creeping_elbow(6e3, 200, 8.7e-5), {});
     CHECK(soft.outcome == Outcome::limit_cycle);
     CHECK(soft.region == NonlinearRegion::stick_slip);
     // the cycle of the same joint without encoder and noise, which turns tell
-    Joint clean = creeping_elbow(6e3, 200);
+    Joint clean = creeping_elbow(6e3, 200, 8.7e-5);
     clean.sensor = {};
     NonlinearOptions longer;
     longer.effort = 10;
     CHECK(soft.amplitude == Approx(nonlinear_verdict(clean, longer).amplitude).epsilon(0.15));
     // beside the boundary a motion grows slowly out of the noise: 3.3e-6 rad over two minutes, 0.6e-6 in the first ten
     // seconds
-    CHECK(nonlinear_verdict(creeping_elbow(10e3, 111.7), {}).amplitude == Approx(3.3e-6).epsilon(0.3));
+    CHECK(nonlinear_verdict(creeping_elbow(10e3, 111.7, 8.7e-5), {}).amplitude == Approx(3.3e-6).epsilon(0.3));
     // the boundary lies at 8.38 kN·m/rad; from rest the motor is held by its contact at first
     for (const double k_p : {12e3, 30e3}) {
-        const auto stiff = nonlinear_verdict(creeping_elbow(k_p, k_p / 60), {});
+        const auto stiff = nonlinear_verdict(creeping_elbow(k_p, k_p / 60, 8.7e-5), {});
         CAPTURE(k_p, static_cast<int>(stiff.reason));
         CHECK(stiff.outcome == Outcome::stable_sliding);
         CHECK(stiff.region == NonlinearRegion::stable);
@@ -259,7 +221,7 @@ TEST_CASE("sampled loop: a strain wave gear that creeps under an encoder and noi
 
 TEST_CASE("sampled loop: a contact with hardly a direct effect moves as dry friction does", "[sampled]")
 {
-    Joint dry = sampled_joint(4e3);
+    Joint dry = ticked_joint(4e3);
     dry.control.k_v = 120;
     dry.friction.law = CoulombViscous{5, 10};
     Joint contact = dry;

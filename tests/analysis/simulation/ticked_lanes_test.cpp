@@ -14,21 +14,6 @@ using namespace stickslip;
 
 namespace {
 
-/// The joint of PHYSICS §3 in a loop of 1 kHz.
-Joint ticked_joint(double k_p, double delay = 0)
-{
-    RateAndState law;
-    law.f0 = 60, law.A = 1, law.V_star = 1e-3;
-    law.B.push_back(1.5), law.L.push_back(1e-5);
-    Joint joint;
-    joint.mechanism.inertia = 1;
-    joint.control.k_p = k_p, joint.control.k_v = 10, joint.control.V0 = 1e-3;
-    joint.control.period = 1e-3, joint.control.delay = delay;
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    joint.friction.law = law;
-    return joint;
-}
-
 template <class Change>
 Joint changed(Joint joint, Change&& change)
 {

@@ -4,6 +4,7 @@
 
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/sampled/uneven_follow.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <random>
 
@@ -24,25 +25,6 @@ Joint strip(double k_p, double period, double quantum)
     joint.control.velocity_estimate.form = EstimateForm::backward_difference;
     joint.friction.law = law;
     joint.sensor.encoder_quantum = quantum;
-    return joint;
-}
-
-/// An elbow with a strain wave gear that creeps at V0, with an encoder and noise.
-Joint elbow(double k_p, double V0)
-{
-    Joint joint;
-    auto& m = joint.mechanism;
-    m.motion = Motion::revolute, m.model = Model::two_mass;
-    m.motor_inertia = 0.52, m.link_inertia = 1.1;
-    m.transmission.stiffness = 31000, m.transmission.damping = 30;
-    auto& c = joint.control;
-    c.k_p = k_p, c.k_v = 200, c.V0 = V0, c.period = 1e-3;
-    c.velocity_estimate.form = EstimateForm::backward_difference, c.velocity_estimate.tau = 1e-3;
-    joint.frictions.motor.law = CoulombViscous{10, 0.2};
-    joint.frictions.link.law = CoulombViscous{0.8, 0.5};
-    auto& memory = joint.frictions.motor.memory;
-    memory.A = 0.1, memory.B = 0.15, memory.L = 4e-6;
-    joint.sensor.encoder_quantum = 1.2e-7, joint.sensor.position_noise = 2e-7;
     return joint;
 }
 
@@ -112,7 +94,7 @@ TEST_CASE("uneven loop: slow motions of a geared elbow are decided", "[sampled][
     // amplitudes of ten times as long a motion under another seed
     for (const auto& [k_p, amplitude] : {std::pair{2512.0, 62.3e-6}, {10e3, 10.7e-6}}) {
         CAPTURE(k_p);
-        const auto verdict = nonlinear_verdict(elbow(k_p, 2e-5), {});
+        const auto verdict = nonlinear_verdict(creeping_elbow(k_p, 200, 2e-5), {});
         CHECK(verdict.outcome == Outcome::limit_cycle);
         CHECK(verdict.region == NonlinearRegion::stick_slip);
         CHECK(verdict.amplitude == Approx(amplitude).epsilon(0.1));
@@ -120,7 +102,7 @@ TEST_CASE("uneven loop: slow motions of a geared elbow are decided", "[sampled][
     }
     for (const double k_p : {15849.0, 39811.0, 1e5}) {
         CAPTURE(k_p);
-        const auto verdict = nonlinear_verdict(elbow(k_p, 2e-5), {});
+        const auto verdict = nonlinear_verdict(creeping_elbow(k_p, 200, 2e-5), {});
         CHECK(verdict.outcome == Outcome::stable_sliding);
         CHECK(verdict.region == NonlinearRegion::stable);
     }

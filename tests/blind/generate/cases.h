@@ -1,4 +1,4 @@
-// One sealed case: a setting, a machine that may differ from its nominal, its records, and the answer.
+// One blind test case: a setting, a machine that may differ from its nominal, its records, and the answer.
 #pragma once
 #include "tests/blind/generate/effects.h"
 #include "tests/blind/generate/setting.h"

@@ -1,4 +1,4 @@
-// The files of a sealed case: what the diagnosis may see, and what it may not.
+// The files of a blind test case: what the diagnosis may see, and what it may not.
 #pragma once
 #include "tests/blind/generate/cases.h"
 

@@ -1,5 +1,5 @@
-// The "real" machine of a sealed case, in this generator's own terms. It shares no code with the program under test:
-// only the file formats of the joint and its records are common ground. SI units.
+// The "real" machine of a blind test case, in this generator's own terms. It shares no code with the program under
+// test: only the file formats of the joint and its records are common ground. SI units.
 #pragma once
 #include <cstdint>
 #include <limits>

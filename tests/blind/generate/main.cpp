@@ -1,4 +1,4 @@
-// blind_generate: makes sealed cases and, outside their folder, the answers.
+// blind_generate: makes blind test cases and, outside their folder, the answers.
 #include "tests/blind/generate/files.h"
 #include "tests/blind/generate/match.h"
 #include "tests/blind/generate/random.h"
@@ -40,7 +40,8 @@ int print_match(const std::string& script_folder, std::uint64_t seed, int count)
 int main(int argc, char** argv)
 {
     CLI::App app{
-        "Makes sealed cases for `stickslip blind`: DIR/case-NN/{joint.toml, record-N.csv.gz}, and the truth outside "
+        "Makes blind test cases for `stickslip blind`: DIR/case-NN/{joint.toml, record-N.csv.gz}, and the truth "
+        "outside "
         "DIR."};
     blind::Wish wish;
     std::string folder, truth_file, engine = "own", script_folder = "tests/blind/mujoco";

@@ -1,4 +1,4 @@
-// How well the MuJoCo mechanism and the own one agree when nothing is noisy: what the sealed cases of both rest on.
+// How well the MuJoCo mechanism and the own one agree when nothing is noisy: what the blind test cases of both rest on.
 #pragma once
 #include "tests/blind/generate/nominal.h"
 

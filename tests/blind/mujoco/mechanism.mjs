@@ -1,4 +1,4 @@
-// The mechanism of a sealed case in MuJoCo: masses, gravity, viscous and dry friction, spring and play are MuJoCo's own;
+// The mechanism of a blind test case in MuJoCo: masses, gravity, viscous and dry friction, spring and play are MuJoCo's own;
 // what MuJoCo has no element for acts as a force between two of its steps.
 
 /// Impedance close to 1 and a reference damping of 1/step: the regularised dry friction then creeps by 1e-7 of the speed

@@ -1,4 +1,4 @@
-// node simulate.mjs JOB.json: simulates the records of one sealed case with MuJoCo. Beside JOB.json lies JOB.references
+// node simulate.mjs JOB.json: simulates the records of one blind test case with MuJoCo. Beside JOB.json lies JOB.references
 // (64-bit floats: position, then velocity of each record's reference); JOB.columns is written in the same way.
 import { readFileSync, writeFileSync } from "node:fs";
 import loadMujoco from "@mujoco/mujoco";

@@ -1,4 +1,4 @@
-// blind_score TRUTH ANSWERS [--json FILE]: scores answers to sealed cases without the program that gave them.
+// blind_score TRUTH ANSWERS [--json FILE]: scores answers to blind test cases without the program that gave them.
 #include "sweep/study/score.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +19,7 @@ std::string read(const std::string& file)
 
 int main(int argc, char** argv)
 {
-    CLI::App app{"Scores answers.json of sealed cases against their truth."};
+    CLI::App app{"Scores answers.json of blind test cases against their truth."};
     std::string truth, answers, json;
     app.add_option("TRUTH", truth, "what the generator wrote")->required()->check(CLI::ExistingFile);
     app.add_option("ANSWERS", answers, "what the diagnosis answered")->required()->check(CLI::ExistingFile);

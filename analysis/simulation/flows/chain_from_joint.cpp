@@ -1,0 +1,55 @@
+// The joints that a chain of bodies describes, and the reasons why others are none.
+#include "analysis/simulation/flows/chain_flow.h"
+
+#include "analysis/stability/steady.h"
+
+#include <cmath>
+
+namespace stickslip {
+
+ChainOrReason chain_flow(const Joint& joint, bool with_late_friction)
+{
+    ChainOrReason result;
+    auto& flow = result.flow;
+    const auto sliding = steady_sliding(joint);
+    result.reason = sliding.reason;
+    if (result.reason != Reason::none) return result;
+    const auto chain = chain_of(joint);
+    flow.bodies = chain.bodies;
+    flow.V0 = std::abs(sliding.velocity);
+    int next = 2 * chain.bodies;
+    for (int i = 0; i < chain.bodies; ++i) {
+        auto& b = flow.body[i];
+        b.friction = *chain.body[i].friction;
+        const auto about = info(b.friction.law);
+        if (about.linear_only) result.reason = Reason::linear_only;
+        b.late = std::holds_alternative<TimeLag>(b.friction.law);
+        // memory on top of friction that answers late has states that nothing here follows
+        if (b.late && (!with_late_friction || states(b.friction) > 0)) result.reason = Reason::unsupported;
+        if (has_unsteady_terms(b.friction, joint.load)) result.reason = Reason::unsupported;
+        if (sliding.velocity < 0) b.friction.asymmetry.coulomb *= -1, b.friction.asymmetry.viscous *= -1;
+        b.inertia = chain.body[i].inertia;
+        b.ratio = chain.body[i].ratio;
+        b.speed = chain.body[i].speed * flow.V0;
+        b.logarithmic = about.needs_motion;
+        b.rests = can_rest(b.friction);
+        b.states = states(b.friction);
+        b.first_state = next;
+        next += b.states;
+    }
+    flow.total_states_ = next - 2 * chain.bodies;
+    const auto& m = joint.mechanism;
+    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0 ||
+        joint.normal.moves() || joint.neighbour.size > 0)
+        result.reason = Reason::unsupported;
+    if (result.reason != Reason::none) return result;
+    for (int i = 0; i < chain.bodies; ++i) {
+        auto& b = flow.body[i];
+        b.steady_friction = steady_force(b.friction, b.ratio * b.speed);
+    }
+    flow.loop = linear_joint(joint, sliding.velocity);
+    if (!flow.steady().allFinite() || !flow.scale().allFinite()) result.reason = Reason::not_finite;
+    return result;
+}
+
+}  // namespace stickslip

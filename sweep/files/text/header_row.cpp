@@ -1,0 +1,53 @@
+#include "sweep/files/text/header_row.h"
+
+#include "sweep/files/text/csv.h"
+
+#include <algorithm>
+
+namespace stickslip::files {
+
+bool next_header(LineStream& lines, std::string_view& line)
+{
+    do {
+        if (!lines.next(line)) return false;
+        if (lines.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    } while (trimmed(line).empty() || trimmed(line).starts_with('#'));
+    return true;
+}
+
+char separator_of(std::string_view line)
+{
+    if (line.find(',') != std::string_view::npos) return ',';
+    return line.find(';') != std::string_view::npos ? ';' : '\t';
+}
+
+std::vector<std::string> header_names(std::string_view line, char separator)
+{
+    std::vector<std::string> names;
+    while (true) {
+        std::string_view cell = trimmed(line);
+        std::size_t length = 0;
+        if (cell.starts_with('"') && cell.find('"', 1) != std::string_view::npos) {
+            line = cell;
+            length = line.find('"', 1) + 1;
+            cell = line.substr(1, length - 2);
+            length = std::min(line.size(), line.find(separator, length));
+        } else {
+            length = std::min(line.size(), line.find(separator));
+            cell = line.substr(0, length);
+        }
+        names.emplace_back(trimmed(cell));
+        if (length == line.size()) return names;
+        line.remove_prefix(length + 1);
+    }
+}
+
+std::pair<std::string, std::string> name_and_unit(std::string_view column)
+{
+    const auto from = column.find('[');
+    if (from == std::string_view::npos || !column.ends_with(']')) return {std::string(column), ""};
+    return {std::string(trimmed(column.substr(0, from))),
+            std::string(trimmed(column.substr(from + 1, column.size() - from - 2)))};
+}
+
+}  // namespace stickslip::files

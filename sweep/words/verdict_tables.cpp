@@ -1,0 +1,93 @@
+// The numbers of a verdict, as rows of a table.
+#include "sweep/words/verdict_text.h"
+
+#include "analysis/results/text.h"
+#include "sweep/words/detail_text.h"
+#include "sweep/words/line_figure.h"
+#include "sweep/words/loop_text.h"
+#include "sweep/words/searched_gains.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace stickslip {
+
+Table linear_table(const Joint& joint, const LinearVerdict& v)
+{
+    const Units units = units_of(joint);
+    const auto row = [&](std::string name, double value, Quantity q) {
+        return std::vector<std::string>{std::move(name), with_unit(value, q, units, 6)};
+    };
+    Table table;
+    table.title = "Linear theory at the design point";
+    table.columns = {"quantity", "value"};
+    table.rows = {
+        row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
+        row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
+        row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
+        row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
+        {"k_{v} required by the velocity-only model", !searched_in_k_v(joint, v.loop) ? "not searched in this loop"
+                                                      : v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
+                                                          ? "any k_{v} > 0"
+                                                          : demanded_text(v.velocity_only.stable_k_v, units)},
+        row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
+        row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
+        row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::position_gain),
+        row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
+    if (v.loop.kind != LoopKind::ideal) table.rows.push_back({"loop", loop_name(v.loop.kind)});
+    if (is_set(v.state_variable.gain_margin_db))
+        table.rows.push_back({"gain margin", plain_number(v.state_variable.gain_margin_db) + " dB"});
+    if (is_set(v.state_variable.phase_margin_deg))
+        table.rows.push_back({"phase margin", plain_number(v.state_variable.phase_margin_deg) + "°"});
+    if (std::isnan(v.state_variable.k_cr))
+        table.rows.push_back(
+            {"stable k_{p}", searched_in_k_p(joint)
+                                 ? intervals_text(v.state_variable.stable_intervals, Quantity::position_gain, units)
+                                 : "not searched: a force loop turns none of its gains alone"});
+    else {
+        const double omega = v.state_variable.crossings.back().omega;
+        table.rows.push_back(row("frequency at the critical gain ω", omega, Quantity::angular_frequency));
+        table.rows.back().back() += " (" + plain_number(omega / (2 * std::numbers::pi)) + " Hz)";
+    }
+    return table;
+}
+
+Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
+{
+    const Units units = units_of(joint);
+    Table table;
+    table.title = "The nonlinear joint";
+    table.columns = {"quantity", "value"};
+    table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
+    if (!reason_text(v).empty()) table.rows.push_back({"because", reason_text(v)});
+    if (v.region == NonlinearRegion::bistable)
+        table.rows.push_back(v.outcome == Outcome::stable_sliding
+                                 ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
+                                 : std::vector<std::string>{"a small disturbance", "decays: bistable"});
+    if (v.region == NonlinearRegion::stable)
+        table.rows.push_back(
+            {"larger disturbances", "also end in steady sliding: " + larger_tried_text(v.searched_from)});
+    if (v.repeats > 1) table.rows.push_back({"cycles after which the motion repeats", std::to_string(v.repeats)});
+    const auto add = [&](const char* name, double value, Quantity q) {
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 6)});
+    };
+    add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
+    // of sliding that only the encoder or its noise disturbs the same numbers tell how far
+    const bool jitters = v.outcome == Outcome::stable_sliding && v.region != NonlinearRegion::bistable;
+    add("limit-cycle amplitude in position", v.amplitude, Quantity::position);
+    add(jitters ? "jitter of the position" : "standard deviation of that amplitude", v.jitter, Quantity::position);
+    add(jitters ? "least velocity" : "least velocity of the cycle", v.velocity_min, Quantity::velocity);
+    add(jitters ? "peak velocity" : "peak velocity of the cycle", v.velocity_max, Quantity::velocity);
+    add("period", v.period, Quantity::time);
+    if (!jitters) add("share of the period spent sticking", v.stick_fraction, Quantity::number);
+    add("overshoot, per steady deflection", v.overshoot, Quantity::number);
+    if (!v.multipliers.empty()) add("largest Floquet multiplier", std::abs(v.multipliers.front()), Quantity::number);
+    if (v.criticality == Criticality::subcritical)
+        table.rows.push_back({"at k_{cr}", "subcritical: cycles exist above it, too"});
+    if (v.criticality == Criticality::supercritical)
+        table.rows.push_back({"at k_{cr}", "supercritical: cycles grow from zero below it"});
+    add("k_{p} at the fold of limit cycles", v.fold_k_p, Quantity::position_gain);
+    return table;
+}
+
+}  // namespace stickslip

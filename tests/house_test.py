@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""The house test complains where it should: small trees with one fault each. Run: house_test.py"""
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HOUSE = Path(__file__).parent / "house.py"
+EXCEPTIONS = "tests/house_exceptions.toml"
+GOOD = {"analysis/base/law.h": "// A law.\n#pragma once\n"}
+
+
+def body(lines, name="walk"):
+    """A function of that many lines from brace to brace."""
+    return f"void {name}()\n{{\n" + "    step();\n" * (lines - 2) + "}\n"
+
+
+# A name, the files that make the fault, and what the house says of it: nothing where it is none.
+CASES = [
+    ("nothing wrong", {}, None),
+    ("a long file without a reason", {"analysis/base/law.cpp": "// x\n" * 251}, "law.cpp: has 251 lines; part it"),
+    ("a long file with one", {"analysis/base/law.cpp": "// In one file: one law.\n" + "// x\n" * 250}, None),
+    ("a reason that a short file does not need", {"analysis/base/law.cpp": "// In one file: one law.\n"}, "is not needed"),
+    ("a tall file that is not listed", {"analysis/base/law.cpp": "// In one file: one law.\n" + "// x\n" * 400},
+     "law.cpp: has 401 lines, above 400, and no reason"),
+    ("a tall file that is listed", {"analysis/base/law.cpp": "// In one file: one law.\n" + "// x\n" * 400,
+                                    EXCEPTIONS: '[tall_files]\n"analysis/base/law.cpp" = "one law"\n'}, None),
+    ("one that is listed without a word", {"analysis/base/law.cpp": "// In one file: one law.\n" + "// x\n" * 400,
+                                           EXCEPTIONS: '[tall_files]\n"analysis/base/law.cpp" = " "\n'}, "and no reason"),
+    ("a tall script", {"tests/check.py": "x = 1\n" * 401}, "check.py: has 401 lines, above 400"),
+    ("a file listed for nothing", {EXCEPTIONS: '[tall_files]\n"analysis/base/law.h" = "one law"\n'}, "no more than 400 lines"),
+    ("a long function without a reason", {"analysis/base/law.cpp": body(61)}, "walk() has 61 lines; part it"),
+    ("one of 60 lines", {"analysis/base/law.cpp": body(60)}, None),
+    ("a long function with a reason, not listed", {"analysis/base/law.cpp": "// In one piece: a table.\n" + body(61)},
+     "walk() has 61 lines and is not among the long functions"),
+    ("a long function with a reason, listed",
+     {"analysis/base/law.cpp": "// In one piece: a table.\n" + body(61),
+      EXCEPTIONS: '[long_functions]\n"analysis/base/law.cpp" = ["walk"]\n'}, None),
+    ("a function listed for nothing",
+     {"analysis/base/law.cpp": body(10), EXCEPTIONS: '[long_functions]\n"analysis/base/law.cpp" = ["walk"]\n'},
+     "lists walk() of analysis/base/law.cpp, which is not long"),
+    ("functions listed of a file that is gone", {EXCEPTIONS: '[long_functions]\n"analysis/base/gone.cpp" = ["walk"]\n'},
+     "lists functions of analysis/base/gone.cpp, which is not there"),
+    ("an arrow upwards", {"analysis/base/law.cpp": '#include "sweep/study/spec.h"\n'}, "lies on a floor above"),
+    ("a circle", {"analysis/base/law.cpp": '#include "analysis/joint/joint.h"\n',
+                  "analysis/joint/joint.h": '#pragma once\n#include "analysis/base/law.h"\n'}, "in a circle"),
+    ("a header from inside another room", {"analysis/joint/own.h": "// Internal to analysis/joint.\n#pragma once\n",
+                                           "analysis/base/law.cpp": '#include "analysis/joint/own.h"\n'},
+     "which is internal to analysis/joint"),
+    ("a comment that names a file that is gone", {"analysis/base/law.cpp": "// as in analysis/base/gone.h\n"}, "which is not there"),
+    ("a bare number in the diagnosis", {"analysis/diagnosis/fit/fit.cpp": "bool good = share > 0.35;\n"}, "compares with a bare number"),
+    ("words in a refusal of the diagnosis", {"analysis/diagnosis/fit/fit.cpp": 'throw std::runtime_error("no");\n'}, "refuses with words"),
+]
+
+
+def answer(files):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in {**GOOD, **files}.items():
+            path = Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        run = subprocess.run([sys.executable, HOUSE, folder], capture_output=True, text=True)
+        return run.returncode, run.stdout + run.stderr
+
+
+wrong = 0
+for name, files, expected in CASES:
+    code, said = answer(files)
+    if (code, "0 complaints" in said) != ((0, True) if expected is None else (1, False)) or (expected or "") not in said:
+        wrong += 1
+        print(f"{name}: expected {'no complaint' if expected is None else repr(expected)}, got exit code {code} and\n{said}")
+print(f"{len(CASES)} trees, {wrong} judged wrongly")
+sys.exit(1 if wrong else 0)

@@ -111,7 +111,7 @@ struct Evaluated {
     std::optional<IntegralCost> integral;
     std::string servo;
     std::optional<Joint> described;  ///< with the loop that --ideal-loop leaves out
-    bool described_slides = false;
+    double described_growth = missing;
 
     bool decided() const { return verdict.steady.reason == Reason::none; }
     bool open() const { return decided() && is_open(nonlinear); }
@@ -155,9 +155,9 @@ Evaluated evaluated(const Options& options, StageLine& line)
     e.contradicting = contradicting_terms(e.verdict, e.nonlinear);
     e.integral = integral_cost(e.joint, e.verdict);
     e.servo = files::servo_text(options.joint);
-    if (options.ideal_loop && loop_kind(described) != LoopKind::ideal) {
+    if (options.ideal_loop && !left_out_by_ideal(described).used.empty()) {
         e.described = described.control.structure == Structure::cascade ? with_gains(described) : described;
-        e.described_slides = growth_rate(described) < 0;
+        e.described_growth = growth_rate(described);
     }
     return e;
 }
@@ -172,9 +172,9 @@ std::filesystem::path write_page(const Evaluated& e, const Options& options, con
     if (const auto chart = gain_chart(e.described ? *e.described : e.summed))
         report.sections.insert(report.sections.begin(), gains_section(e.units(), both, *chart));
     if (e.described) {
-        const bool same = e.described_slides == e.verdict.state_variable.stable;
+        const bool same = (e.described_growth < 0) == e.verdict.state_variable.stable;
         report.alerts.push_back({same ? Headline::Tone::neutral : Headline::Tone::warning,
-                                 left_out_text(loop_use(*e.described), e.described_slides)});
+                                 left_out_text(left_out_by_ideal(*e.described), e.described_growth)});
         report.verdict = of_ideal_loop(report.verdict);
         // what the loop as it is does not do is no clean yes
         if (!same && report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
@@ -223,7 +223,7 @@ nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance&
         json["linear"]["integral_cost"] = {
             {"margin", e.integral->with}, {"margin_without", e.integral->without}, {"share", e.integral->share()}};
     if (e.described) {
-        json["notes"].push_back(left_out_text(loop_use(*e.described), e.described_slides));
+        json["notes"].push_back(left_out_text(left_out_by_ideal(*e.described), e.described_growth));
         json["note_codes"].push_back("ideal-loop");
     }
     if (!e.servo.empty()) json["notes"].push_back(e.servo), json["note_codes"].push_back("servo");
@@ -244,7 +244,7 @@ void print_text(const Evaluated& e)
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }
-    if (e.described) fmt::print("{}\n", left_out_text(loop_use(*e.described), e.described_slides));
+    if (e.described) fmt::print("{}\n", left_out_text(left_out_by_ideal(*e.described), e.described_growth));
     for (const auto& mode : e.near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, e.units())));
     if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));
     if (!e.servo.empty()) fmt::print("{}\n", e.servo);

@@ -4,6 +4,7 @@
 #include "analysis/design/check_requirements.h"
 #include "analysis/design/judge.h"
 #include "analysis/numerics/optimise.h"
+#include "analysis/stability/frequency_search.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
@@ -15,8 +16,7 @@ namespace {
 
 using Place = std::vector<double>;
 
-constexpr int global_evaluations = 250, local_evaluations = 100, rim_points = 24;
-constexpr int most_rounds = 6;            ///< of searches, each with what the last one overlooked
+constexpr int rim_points = 24;
 constexpr double tolerance = 1e-6;        ///< of a demand, in its logarithm
 constexpr double offence = 1e3;           ///< what any violation costs the global search, far above ln(cost)
 constexpr double most_of_margin = 0.995;  ///< of the largest margin, where the front ends
@@ -29,19 +29,39 @@ double worst_of(const Violations& v, int without = -1)
     return worst;
 }
 
+/// How many gains a search may try, and how often it goes on with what the last round overlooked.
+struct Pace {
+    int global = 250, local = 100, rounds = 6;
+};
+
+/// As search_effort() multiplies them.
+Pace pace_of(VerdictCost cost)
+{
+    const Pace usual = cost == VerdictCost::small         ? Pace{}
+                       : cost == VerdictCost::eigenvalues ? Pace{120, 50, 8}
+                                                          : Pace{50, 20, 2};
+    const auto scaled = [](int evaluations, int least) {
+        return std::max(least, static_cast<int>(std::min(1e6, evaluations * search_effort())));
+    };
+    return {scaled(usual.global, 20), scaled(usual.local, 10), scaled(usual.rounds, 1)};
+}
+
 /// Minimises `goal` of a choice while the demands hold (all but `without`).
 class Search {
   public:
     using Goal = std::function<double(const GainChoice&)>;
 
-    Search(Judge& judge, Goal goal, int without = -1) : judge_(judge), goal_(std::move(goal)), without_(without) {}
+    Search(Judge& judge, Goal goal, int without = -1)
+        : judge_(judge), goal_(std::move(goal)), without_(without), pace_(pace_of(judge.cost()))
+    {
+    }
 
     /// From the whole range, or from given places and those judged before; nothing is promised but that the best place
     /// seen is returned, and that nothing nearer than its margin was overlooked where that took few rounds.
     Place run(const std::vector<Place>& starts, bool global)
     {
         Place best = once(starts, global);
-        for (int round = 0; round < most_rounds && judge_.learns_at(best); ++round) best = once({best}, false);
+        for (int round = 0; round < pace_.rounds && judge_.learns_at(best); ++round) best = once({best}, false);
         return best;
     }
 
@@ -56,7 +76,7 @@ class Search {
             return std::isfinite(goal) ? goal : offence;
         };
         const Objective penalised = [&](const Place& t) { return penalty(judge_.at(t)); };
-        if (global) starts.push_back(global_minimum(penalised, bounds, global_evaluations));
+        if (global) starts.push_back(global_minimum(penalised, bounds, pace_.global));
         // feedback of one kind alone lies on the rim of the range, where no search inside ever looks
         for (int i = 0; i <= rim_points; ++i)
             for (const std::size_t held : {0, 1}) {
@@ -68,7 +88,7 @@ class Search {
         Place best = starts.front();
         for (const auto& s : starts)
             if (penalised(s) < penalised(best)) best = s;
-        if (penalised(best) >= offence) best = local_minimum(penalised, bounds, best, 0.1, local_evaluations);
+        if (penalised(best) >= offence) best = local_minimum(penalised, bounds, best, 0.1, pace_.local);
         const Objective goal = [&](const Place& t) {
             const double g = goal_(judge_.at(t));
             return std::isfinite(g) ? g : offence;
@@ -81,17 +101,18 @@ class Search {
                     return std::isnan(v) ? 10 : std::max(v, -10.0);
                 });
         for (const double step : {0.05, 0.01}) {
-            const auto next = constrained_minimum(goal, constraints, bounds, best, step, local_evaluations);
+            const auto next = constrained_minimum(goal, constraints, bounds, best, step, pace_.local);
             if (penalised(next) <= penalised(best)) best = next;
         }
         // where the cost has a kink, as at a rim, the linear models of COBYLA stall
-        const auto next = local_minimum(penalised, bounds, best, 0.02, local_evaluations);
+        const auto next = local_minimum(penalised, bounds, best, 0.02, pace_.local);
         return penalised(next) < penalised(best) ? next : best;
     }
 
     Judge& judge_;
     Goal goal_;
     int without_;
+    Pace pace_;
 };
 
 double log_cost(const GainChoice& c)
@@ -141,7 +162,7 @@ Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i)
     report.others_met = worst_of(judge.violations(judge.at(at)), i) <= tolerance;
     if (!report.others_met) {
         at = local_minimum([&](const Place& t) { return offends(judge.at(t)); }, judge.bounds(), place, 0.2,
-                           local_evaluations);
+                           pace_of(judge.cost()).local);
     }
     const auto choice = judged_at(judge, at);
     report.attainable = reached(choice, i);
@@ -232,9 +253,14 @@ void add_front(Judge& judge, const Requirements& r, const Place& best, const Pla
 
 }  // namespace
 
-GainDesign design_gains(const Joint& joint, const Requirements& r, const ParallelFor& parallel)
+GainDesign design_gains(const Joint& joint, const Requirements& r, const ParallelFor& parallel,
+                        const DesignListener& listener)
 {
     check_sense(joint, r);
+    const auto tell = [&](DesignStage stage) {
+        if (listener) listener(stage);
+    };
+    tell(DesignStage::best);
     GainDesign design;
     if (possible_sliding(joint).reason != Reason::none) return design;
     design.decided = true;
@@ -249,6 +275,7 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     design.best = judged_at(judge, best);
     design.feasible = worst_of(judge.violations(design.best)) <= tolerance && std::isfinite(std::log(design.best.cost));
     std::vector<Fared> demands;
+    tell(DesignStage::demands);
     for (int i = 0; i < demand_count; ++i)
         if (is_demanded(r, i)) demands.push_back(fared(judge, design.best, best, i));
     if (!design.feasible) design.best = nearest_feasible(judge, demands, design.best);
@@ -261,8 +288,10 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     design.evaluations = judge.evaluations();
 
     const double largest = design.demands[0].others_met ? most_of_margin * design.demands[0].attainable : 0;
+    tell(DesignStage::front);
     add_front(judge, r, best, own, largest, parallel, design);
 
+    tell(DesignStage::velocity_only);
     Judge simple(joint, r, Curve::Kind::velocity_only);
     const auto thought = Search(simple, log_cost).run({own}, true);
     design.velocity_only_found = worst_of(simple.violations(simple.at(thought))) <= tolerance;

@@ -14,6 +14,7 @@ namespace {
 constexpr int velocity_steps = 12;      ///< a decade, when the least velocity is looked for
 constexpr double velocity_decades = 4;  ///< below V_0, as far as it is looked for without a demand
 constexpr double beyond_demand = 1.25;  ///< how far a margin is looked for, per demanded one
+constexpr double rough = 1e-4;          ///< of the distances that a search over directions compares
 constexpr double overlooking = 0.99;    ///< a margin that turns out less than that, per the one thought of, was wrong
 
 }  // namespace
@@ -30,6 +31,36 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant);
     if (loop_kind(joint) != LoopKind::ideal)
         effort_gain_ = std::abs(actuation(joint, velocity_, stickslip::steady_effort(joint, velocity_)).gain);
+    const bool counts = theory != Curve::Kind::velocity_only && !linear_joint(joint, velocity_).rational();
+    cost_ = counts                                ? VerdictCost::counts
+            : loop_kind(joint) != LoopKind::ideal ? VerdictCost::eigenvalues
+                                                  : VerdictCost::small;
+    if (cost_ != VerdictCost::small) learn_directions();
+}
+
+void Judge::learn_directions()
+{
+    const auto low = bounds().low, high = bounds().high;
+    std::vector<std::vector<double>> places{place_of(joint_.control.k_p, joint_.control.k_v)};
+    const std::vector<double> shares = cost_ == VerdictCost::counts ? std::vector{0.5} : std::vector{0.25, 0.75};
+    for (const double a : shares)
+        for (const double b : shares)
+            places.push_back({low[0] + a * (high[0] - low[0]), low[1] + b * (high[1] - low[1])});
+    for (const auto& place : places) {
+        const auto [k_p, k_v] = gains_at(place);
+        const auto near = nearest(k_p, k_v, affordable());
+        if (near.found) overlooked_.push_back(near.direction);
+    }
+}
+
+/// Of boundaries to all sides of one pair of gains.
+NearestOptions Judge::affordable() const
+{
+    auto options = affordable_search(joint_);
+    if (cost_ == VerdictCost::small) return options;
+    options.global = false;
+    options.precision = rough;
+    return options;
 }
 
 double Judge::reach_for(double margin) const
@@ -70,7 +101,12 @@ const GainChoice& Judge::at(const std::vector<double>& t)
     NearestOptions options;
     options.global = false, options.rays = 12, options.local = 0;
     options.starts = overlooked_;
-    if (!direction_.empty()) options.starts.push_back(direction_);
+    if (cost_ == VerdictCost::small) {
+        if (!direction_.empty()) options.starts.push_back(direction_);
+    } else {
+        options.along_starts_only = !overlooked_.empty();
+        options.precision = rough;
+    }
     const auto found = nearest(k_p, k_v, options);
     if (found.found) direction_ = found.direction;
     return (judged_[t] = {judged(k_p, k_v, signed_margin(found), false), overlooked_.size()}).choice;
@@ -80,7 +116,7 @@ bool Judge::learns_at(const std::vector<double>& t)
 {
     const double thought = at(t).margin;
     const auto [k_p, k_v] = gains_at(t);
-    const auto sure = nearest(k_p, k_v, affordable_search(joint_));
+    const auto sure = nearest(k_p, k_v, affordable());
     if (!sure.found || std::abs(signed_margin(sure)) >= overlooking * std::abs(thought)) return false;
     overlooked_.push_back(sure.direction);
     return true;
@@ -116,7 +152,8 @@ std::vector<double> Judge::best_known(const std::function<double(const GainChoic
 
 GainChoice Judge::thorough(double k_p, double k_v)
 {
-    return judged(k_p, k_v, signed_margin(nearest(k_p, k_v, {})), true);
+    const auto options = cost_ == VerdictCost::small ? NearestOptions{} : affordable();
+    return judged(k_p, k_v, signed_margin(nearest(k_p, k_v, options)), true);
 }
 
 double Judge::least_velocity(Joint joint) const
@@ -163,11 +200,14 @@ GainChoice Judge::judged(double k_p, double k_v, double margin, bool thoroughly)
         if (!memory) linear = velocity_only(linear);
         choice.effort_noise = effort_noise(linear, requirements_.noise);
         if (asked && choice.margin > 0) choice.motion_noise = motion_noise(linear, requirements_.noise);
-    } else if (const auto response = LoopResponse::of(joint, memory ? Theory::state_variable : Theory::velocity_only);
-               response && choice.margin > 0) {
-        const auto noise = loop_noise(joint, *response, requirements_.noise);
-        choice.motion_noise = noise.motion;
-        choice.effort_noise = noise.effort * effort_gain_;
+    } else if (choice.margin > 0) {
+        const auto theory = memory ? Theory::state_variable : Theory::velocity_only;
+        const auto response = LoopResponse::of(joint, theory, LoopResponse::Input::command);
+        if (response) {
+            const auto noise = loop_noise(joint, *response, requirements_.noise);
+            choice.motion_noise = noise.motion;
+            choice.effort_noise = noise.effort * effort_gain_;
+        }
     }
     choice.peak_effort = steady_effort_ + requirements_.noise_multiple * choice.effort_noise;
     if (!joint.control.reference_velocity) choice.peak_effort += k_v * std::abs(velocity_);

@@ -17,6 +17,10 @@ inline constexpr std::array<const char*, demand_count> demand_names{"margin", "e
 /// How far a choice is from each demand, in logarithms: ≤ 0 where met; −infinity where nothing is demanded.
 using Violations = std::array<double, demand_count>;
 
+/// What one verdict takes: of a real loop its eigenvalues, a hundred times as long as of a mass in the ideal loop, and
+/// of friction that answers late counts of roots, ten times as long again.
+enum class VerdictCost { small, eigenvalues, counts };
+
 class Judge {
   public:
     Judge(const Joint& joint, const Requirements& requirements, Curve::Kind theory);
@@ -41,6 +45,7 @@ class Judge {
     std::vector<double> place_of(double k_p, double k_v) const;
     int evaluations() const { return evaluations_; }
     const Requirements& requirements() const { return requirements_; }
+    VerdictCost cost() const { return cost_; }
     double reach() const { return reach_; }
     double steady_effort() const { return steady_effort_; }
 
@@ -52,6 +57,10 @@ class Judge {
     const GainChoice& up_to_date(Judged& known);
     std::pair<double, double> gains_at(const std::vector<double>& t) const;
     NearestBoundary nearest(double k_p, double k_v, NearestOptions options) const;
+    /// Where verdicts are costly: the directions in which boundaries are near over the range of gains, which alone are
+    /// looked along until learns_at() finds another.
+    void learn_directions();
+    NearestOptions affordable() const;
     GainChoice judged(double k_p, double k_v, double margin, bool thoroughly) const;
     double least_velocity(Joint joint) const;
     double reach_for(double margin) const;
@@ -65,6 +74,7 @@ class Judge {
     GainRange range_;
     double reach_ = 1, damping_unit_ = 1, velocity_ = 0, steady_effort_ = 0;
     double effort_gain_ = 1;  ///< effort per command of a real loop
+    VerdictCost cost_ = VerdictCost::small;
     std::map<std::vector<double>, Judged> judged_;
     mutable int evaluations_ = 0;
 };

@@ -154,7 +154,7 @@ LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const Sen
 {
     const Gains gains = gains_of(joint.control);
     const double slowest = slowest_of(response.roots());
-    if (std::isnan(slowest)) return {};
+    if (std::isnan(slowest) || !(response.growth() < 0)) return {};
     if (response.period() == 0)
         return {held_noise(gains, n, response.roots(), [&](double omega) { return response.by_command(omega); }),
                 held_effort({gains.k_p, gains.k_v, 0}, n)};

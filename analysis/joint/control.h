@@ -120,7 +120,8 @@ struct Control {
         if (anti_windup == AntiWindup::back_calculation && integrates && !is_set(tracking_time))
             return "anti_windup = \"back-calculation\" needs tracking_time";
         if (!is_set(period)) return "";
-        const bool damps = structure == Structure::cascade || k_v != 0;
+        // in force control k_v is the damper of the finger, which nobody estimates
+        const bool damps = kind == ControlKind::position && (structure == Structure::cascade || k_v != 0);
         if (damps && velocity_estimate.form == EstimateForm::unstated)
             return "period is set and the loop feeds velocity back, but velocity_estimate.form is missing, expected "
                    "\"backward-difference\", \"exact\"";

@@ -109,6 +109,9 @@ std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
 {
     if (!loop.A.allFinite()) return std::nullopt;
     const OpenedLoop open(loop);
+    // counting confirms it, so that few starts are enough to begin with
+    constexpr std::size_t few = 4;
+    if (const auto edge = RootSearch(open, gain, few).edge_of_steepest()) return edge;
     return RootSearch(open, gain).edge();
 }
 

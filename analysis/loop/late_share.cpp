@@ -2,7 +2,8 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <cmath>
+
+#include "analysis/numerics/quotient.h"
 
 namespace stickslip {
 namespace {
@@ -27,31 +28,28 @@ LateShare::LateShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, con
     for (const auto& f : friction_) by_push_.emplace_back(A, f.push, with_speeds(rows, friction_));
 }
 
-void LateShare::at(Complex s, bool early, Complex* added) const
+void LateShare::at(Complex s, Complex* added) const
 {
     std::array<Answer, most_late> answers;
-    for (std::size_t i = 0; i < friction_.size(); ++i) {
-        answers[i] = {friction_[i].answer(s), 0};
-        if (early) continue;
-        for (const auto& d : friction_[i].delays) answers[i].delays += d.weight * std::exp(-s * d.time);
-    }
-    at(s, early, answers.data(), added);
+    for (std::size_t i = 0; i < friction_.size(); ++i) answers[i] = {friction_[i].answer(s), 0};
+    at(s, 0, answers.data(), added);
 }
 
-/// r = U' + W' U' + …, with U' = G U and W' = G W: (1 − W')⁻¹ U' less its first two terms.
-void LateShare::at(Complex s, bool early, const Answer* answers, Complex* added) const
+/// r = U' + W' U' + W'² U' + …, with U' = G U and W' = G W: (1 − W')⁻¹ U' less its first terms, of the delays alone.
+void LateShare::at(Complex s, int early, const Answer* answers, Complex* added) const
 {
+    using Square = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_late, most_late>;
+    using Column = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_late, 1>;
     const auto m = static_cast<Eigen::Index>(friction_.size());
     std::array<Complex, 4 + most_late> values;
     by_input_.at(s, values.data());
-    Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_late, most_late> closed(m, m);
-    Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_late, 1> force(m);
+    Square closed(m, m), again(m, m);
+    Column force(m), term(m);
     Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, 4, most_late> by_force(rows_, m);
-    std::array<Complex, most_late> first{}, second{};
     for (Eigen::Index i = 0; i < m; ++i) {
         const Complex speed = values[static_cast<std::size_t>(rows_ + i)];
         force[i] = answers[i].all * speed;
-        first[static_cast<std::size_t>(i)] = answers[i].delays * speed;
+        term[i] = answers[i].delays * speed;
     }
     for (Eigen::Index k = 0; k < m; ++k) {
         by_push_[static_cast<std::size_t>(k)].at(s, values.data());
@@ -59,16 +57,17 @@ void LateShare::at(Complex s, bool early, const Answer* answers, Complex* added)
         for (Eigen::Index i = 0; i < m; ++i) {
             const Complex speed = values[static_cast<std::size_t>(rows_ + i)];
             closed(i, k) = (i == k ? 1.0 : 0.0) - answers[i].all * speed;
-            second[static_cast<std::size_t>(i)] += answers[i].delays * speed * first[static_cast<std::size_t>(k)];
+            again(i, k) = answers[i].delays * speed;
         }
     }
     if (m == 1)
-        force[0] /= closed(0, 0);
+        force[0] = quotient(force[0], closed(0, 0));
     else
         force = closed.partialPivLu().solve(force).eval();
-    if (!early)
-        for (Eigen::Index i = 0; i < m; ++i)
-            force[i] -= first[static_cast<std::size_t>(i)] + second[static_cast<std::size_t>(i)];
+    for (int k = 0; k < early; ++k) {
+        force -= term;
+        if (k + 1 < early) term = m == 1 ? Column(again(0, 0) * term) : Column(again * term);
+    }
     for (Eigen::Index r = 0; r < rows_; ++r) added[r] = (by_force.row(r) * force)(0);
 }
 

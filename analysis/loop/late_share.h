@@ -20,11 +20,11 @@ class LateShare {
         std::complex<double> all, delays;
     };
     static constexpr std::size_t most_late = 4;  ///< bodies
-    /// Into `added`, one value a row. `early`: with what delays answer to the mechanism that does not hear them, and to
-    /// that answer.
-    void at(std::complex<double> s, bool early, std::complex<double>* added) const;
-    /// The same where the answers are known, one a friction.
-    void at(std::complex<double> s, bool early, const Answer* answers, std::complex<double>* added) const;
+    /// Into `added`, one value a row.
+    void at(std::complex<double> s, std::complex<double>* added) const;
+    /// The same where the answers are known, one a friction, less the first `early` terms of what delays answer: to the
+    /// mechanism that does not hear them, to that answer, and so on.
+    void at(std::complex<double> s, int early, const Answer* answers, std::complex<double>* added) const;
 
   private:
     std::vector<LateFriction> friction_;

@@ -2,6 +2,7 @@
 
 #include "analysis/joint/steady_output.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -191,9 +192,21 @@ Joint with_ideal_loop(Joint joint)
     c.dead_zone = 0;
     c.feed_forward = {};
     c.dither = {};
-    joint.actuator = {};
+    // what stays are constant factors: without them gains in V/m would be taken for N/m
+    joint.actuator.lag = 0;
+    joint.actuator.limit = infinity;
+    const double scale = joint.sensor.position_scale;
     joint.sensor = {};
+    joint.sensor.position_scale = scale;
     return joint;
+}
+
+LoopUse left_out_by_ideal(const Joint& joint)
+{
+    auto use = loop_use(with_gains(joint));
+    const auto kept = loop_use(with_ideal_loop(joint)).used;
+    std::erase_if(use.used, [&](const auto& key) { return std::find(kept.begin(), kept.end(), key) != kept.end(); });
+    return use;
 }
 
 }  // namespace stickslip

@@ -54,7 +54,12 @@ struct LoopUse {
 LoopKind loop_kind(const Joint& joint);
 LoopUse loop_use(const Joint& joint);
 
-/// The joint under the paper's loop: k_p and k_v act at once, nothing else is between them and the motion.
+/// The joint under the paper's loop: k_p and k_v act at once. Of the drive and the reading constant factors and the
+/// back-EMF stay, which turn gains of a drive signal into stiffness and damping.
 Joint with_ideal_loop(Joint joint);
+
+/// The loop of the joint with, as `used`, only what with_ideal_loop() leaves out of it: nothing where it changes
+/// nothing.
+LoopUse left_out_by_ideal(const Joint& joint);
 
 }  // namespace stickslip

@@ -65,7 +65,7 @@ std::pair<Complex, Complex> OpenedLoop::late_share(Complex s) const
 {
     if (ticked_share_) return ticked_share_->at(s);
     std::array<Complex, 2> added;
-    share_->at(s, true, added.data());
+    share_->at(s, added.data());
     return {added[0], added[1]};
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analysis/numerics/balance.h"
+#include "analysis/numerics/quotient.h"
 
 namespace stickslip {
 namespace {
@@ -88,7 +89,7 @@ void Resolvent::at(Complex s, Complex* values) const
     for (Eigen::Index r = 0; r < rows(); ++r) {
         Complex sum = 0;
         for (Eigen::Index k = 0; k < n; ++k) sum += read_(r, k) * x[k];
-        values[r] = size_ * sum / top;
+        values[r] = quotient(size_ * sum, top);
     }
 }
 
@@ -121,8 +122,8 @@ void Resolvent::at(Complex s, Response* values) const
             sum += read_(r, k) * x[k];
             rate += read_(r, k) * slope[k];
         }
-        const Complex value = sum / top;
-        values[r] = {size_ * value, size_ * (rate - value * top_slope) / top};
+        const Complex value = quotient(sum, top);
+        values[r] = {size_ * value, quotient(size_ * (rate - value * top_slope), top)};
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/loop/late_count.h"
 
@@ -43,7 +44,8 @@ std::optional<Complex> polished_root(const OpenedLoop& open, double gain, Comple
     return std::nullopt;
 }
 
-RootSearch::RootSearch(const OpenedLoop& open, double gain) : open_(open), gain_(gain), unit_(open.turns_in())
+RootSearch::RootSearch(const OpenedLoop& open, double gain, std::size_t most)
+    : open_(open), gain_(gain), unit_(open.turns_in()), most_(most)
 {
     constexpr double integrator = 1e-9;  // of the fastest pole
     double fastest = 0;
@@ -63,8 +65,7 @@ std::optional<int> RootSearch::look(double sigma, double nearest)
             peaks.push_back(looked[i]);
     }
     std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.steepness > b.steepness; });
-    constexpr std::size_t most = 24;
-    for (std::size_t i = 0; i < std::min(most, peaks.size()); ++i) take({sigma, peaks[i].omega});
+    for (std::size_t i = 0; i < std::min(most_, peaks.size()); ++i) take({sigma, peaks[i].omega});
     return count;
 }
 
@@ -73,11 +74,39 @@ void RootSearch::look_around()
     for (const double share : {1e-3, -0.3, -1.0, -2.0}) look(share * unit_);
 }
 
+std::optional<Complex> RootSearch::edge_of_steepest()
+{
+    const double axis = 1e-3 * unit_;
+    const auto right = look(axis);
+    // roots far left are none of those that are counted right of the axis
+    if (right && *right > 0 && !knows_right_of(axis) && !climb(axis)) return std::nullopt;
+    return roots_.empty() ? std::nullopt : edge_by_newton();
+}
+
+bool RootSearch::knows_right_of(double sigma) const
+{
+    return std::any_of(roots_.begin(), roots_.end(), [&](Complex s) { return s.real() > sigma; });
+}
+
+/// From the imaginary axis Newton's method may miss what lies far right of it.
+bool RootSearch::climb(double sigma)
+{
+    // once, and where a place costs little: what it does not find is halved for
+    constexpr int most = 6;
+    constexpr double cheap = 50;
+    if (std::exchange(climbed_, true) || open_.cost() > cheap) return false;
+    double wide = 0.3 * unit_;
+    for (int i = 0; i < most; ++i, wide *= 2) {
+        const auto right = look(sigma + wide);
+        if (knows_right_of(sigma)) return true;
+        if (!right || *right == 0) return false;
+    }
+    return false;
+}
+
 std::optional<Complex> RootSearch::edge()
 {
-    look(1e-3 * unit_);
-    if (!roots_.empty())
-        if (const auto found = edge_by_newton()) return found;
+    if (const auto found = edge_of_steepest()) return found;
     auto found = edge_at_pole();
     if (!found) found = edge_by_newton();
     if (!found) found = edge_by_counting();
@@ -110,7 +139,7 @@ std::optional<Complex> RootSearch::edge_by_newton()
         if (!right) return std::nullopt;
         if (*right == 0) return s;
         const Complex now = *std::max_element(roots_.begin(), roots_.end(), further_left);
-        if (now.real() > s.real() + nearest) continue;
+        if (now.real() > s.real() + nearest || climb(s.real() + nearest)) continue;
         return std::nullopt;  // none of those that were counted is found
     }
     return std::nullopt;

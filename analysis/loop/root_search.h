@@ -16,7 +16,9 @@ std::optional<std::complex<double>> polished_root(const OpenedLoop& open, double
 class RootSearch {
   public:
     using Complex = std::complex<double>;
-    RootSearch(const OpenedLoop& open, double gain);
+    static constexpr std::size_t many = 24;
+    /// `most` places of each line, the steepest, are taken for starts of Newton's method.
+    RootSearch(const OpenedLoop& open, double gain, std::size_t most = many);
 
     /// Roots from the steepest places of a line. How many lie right of it, where that can be counted.
     std::optional<int> look(double sigma, double nearest = infinity);
@@ -25,11 +27,15 @@ class RootSearch {
     /// The rightmost root, right of which counting finds none; nothing where it is not found.
     /// It is one of `all()` from then on.
     std::optional<Complex> edge();
+    /// The same from the steepest places alone, without what costs more.
+    std::optional<Complex> edge_of_steepest();
     /// With their conjugates, by falling real part.
     std::vector<Complex> all() const;
 
   private:
     std::optional<Complex> edge_by_newton();
+    /// Looks along lines ever further right of σ, as long as roots are counted there, until one is found.
+    bool climb(double sigma);
     /// A pole that the loop does not reach through its dead time: the root beside it differs by less than rounding.
     std::optional<Complex> edge_at_pole() const;
     /// By halving, with a count at each line; its frequency is that at which the loop turns fastest on the last one.
@@ -37,11 +43,14 @@ class RootSearch {
     /// Newton's method without the poles of the loop, which would catch it, and the roots that are known; nothing where
     /// it does not come near one.
     std::optional<Complex> near_root(Complex s) const;
+    bool knows_right_of(double sigma) const;
     void take(Complex start);
     bool is_known(Complex s) const;
 
     const OpenedLoop& open_;
     double gain_, unit_;
+    std::size_t most_;
+    bool climbed_ = false;
     std::vector<Complex> roots_;
 };
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/numerics/beyond_one.h"
+#include "analysis/numerics/quotient.h"
 
 namespace stickslip {
 namespace {
@@ -39,6 +40,14 @@ std::pair<Complex, Complex> controller_at(const LoopTiming& t, const LoopGains& 
     return {of_reading + (g.velocity * change / t.period + g.travelled) * smooth, of_velocity};
 }
 
+/// n over k.
+double binomial(int n, int k)
+{
+    double ways = 1;
+    for (int i = 1; i <= k; ++i) ways *= static_cast<double>(n - k + i) / i;
+    return ways;
+}
+
 }  // namespace
 
 TickedShare::TickedShare(const TickedFriction& ticked, const std::vector<LateFriction>& friction,
@@ -56,12 +65,26 @@ TickedShare::TickedShare(const TickedFriction& ticked, const std::vector<LateFri
     choose_aliases(responses);
 }
 
-/// Two delays of one friction answer each other alike in either order.
+/// Two delays of one friction answer each other alike in either order. What is left for the aliases falls with the
+/// frequency by one power more a term: of one friction with few delays further terms cost less than the aliases that
+/// they spare (two delays, a lag of friction: 100 aliases with two terms, 12 with four).
 void TickedShare::take_answers()
 {
+    constexpr std::size_t few = 2;
+    constexpr int further = 4;
     std::vector<Late> all;
     for (const auto& f : friction_)
         for (const auto& d : f.delays) all.push_back({&f, d});
+    if (friction_.size() == 1 && all.size() <= few) {
+        terms_ = further;
+        for (int term = 1; term <= terms_; ++term)
+            for (int second = 0; second <= (all.size() > 1 ? term : 0); ++second) {
+                std::vector<Late> behind(static_cast<std::size_t>(term - second), all[0]);
+                behind.insert(behind.end(), static_cast<std::size_t>(second), all.back());
+                take_answer(behind, binomial(term, second));
+            }
+        return;
+    }
     for (std::size_t i = 0; i < all.size(); ++i) {
         take_answer({all[i]}, 1);
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -161,8 +184,8 @@ TickedShare::Added TickedShare::answered_further(Complex s, int aliases) const
             for (const auto& d : friction_[i].delays) delays += d.weight * late[next++];
             answers[i] = {friction_[i].only_delays ? delays : friction_[i].answer(at), delays};
         }
-        share_.at(at, false, answers.data(), added.data());
-        const Complex hold = held / at * late[0];
+        share_.at(at, terms_, answers.data(), added.data());
+        const Complex hold = quotient(held, at) * late[0];
         sum.reading += hold * added[0];
         sum.rate += hold * added[1];
     };

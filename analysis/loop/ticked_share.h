@@ -23,7 +23,8 @@ class TickedShare {
     struct Added {
         Complex reading, rate;
     };
-    /// One delay's answer to the mechanism that does not hear it, or another's to that answer, from tick to tick.
+    /// One delay's answer to the mechanism that does not hear it, or another's to that answer and so on, from tick to
+    /// tick.
     struct Answer {
         Resolvent of_ticks;
         int whole_ticks;
@@ -49,6 +50,7 @@ class TickedShare {
     /// By how much a delay turns from alias to alias, e^{−2πi t/T}: of the fraction, then of each delay.
     std::vector<Complex> turns_;
     int aliases_ = 0;
+    int terms_ = 2;  ///< of the answers of delays to each other that are taken from tick to tick
 };
 
 }  // namespace stickslip

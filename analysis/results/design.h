@@ -7,6 +7,9 @@
 
 namespace stickslip {
 
+/// What a search for gains is busy with.
+enum class DesignStage { best, demands, front, velocity_only };
+
 /// One pair of gains and what it brings.
 struct GainChoice {
     double k_p = missing, k_v = missing;

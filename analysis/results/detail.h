@@ -42,10 +42,13 @@ enum class Detail : std::uint8_t {
     few_rows,     ///< a reference needs two
     uneven_rows,  ///< of the reference of a continuous loop
     too_many_ticks,
-    law_at_rest  ///< has no meaning there
+    law_at_rest,  ///< has no meaning there
+    // no disturbance of this kind
+    no_state,       ///< the friction on the link has none that could be disturbed
+    forces_in_loop  ///< forces and loads from outside act on the ideal loop only
 };
 
-inline constexpr std::array<std::string_view, 30> detail_names{"none",
+inline constexpr std::array<std::string_view, 32> detail_names{"none",
                                                                "late-with-memory",
                                                                "moving-normal-load",
                                                                "neighbours",
@@ -74,8 +77,10 @@ inline constexpr std::array<std::string_view, 30> detail_names{"none",
                                                                "few-rows",
                                                                "uneven-rows",
                                                                "too-many-ticks",
-                                                               "law-at-rest"};
-static_assert(detail_names.size() == static_cast<std::size_t>(Detail::law_at_rest) + 1);
+                                                               "law-at-rest",
+                                                               "no-state",
+                                                               "forces-in-loop"};
+static_assert(detail_names.size() == static_cast<std::size_t>(Detail::forces_in_loop) + 1);
 
 /// As JSON calls it.
 constexpr std::string_view name_of(Detail detail)

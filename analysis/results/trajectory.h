@@ -1,5 +1,6 @@
 // A motion in time, for files, time series, phase portraits and friction-velocity loops.
 #pragma once
+#include "analysis/results/detail.h"
 #include "analysis/results/point.h"
 
 #include <vector>
@@ -17,6 +18,7 @@ struct Trajectory {
     double commanded_velocity = missing;  ///< V_0
     double steady_friction = missing;     ///< f_ss(V_0)
     Reason reason = Reason::none;         ///< why it is empty or stops early
+    Detail why = Detail::none;            ///< the same more closely, where more is known
     bool used_fallback = false;           ///< CVODE gave up on the way and Rodas5P finished
 };
 

@@ -211,7 +211,7 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
         if (!driven)
             return loop_trajectory(
                 joint, {options.disturbance, options.duration, options.cycle_period, options.rtol, options.seed});
-        path.reason = Reason::unsupported;  // forces from outside act on the ideal loop only
+        path.reason = Reason::unsupported, path.why = Detail::forces_in_loop;
         return path;
     }
     if (!options.normal_load.value.empty()) link_friction(joint).normal_load = options.normal_load.value.front();
@@ -219,6 +219,7 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
     const bool backwards = V0 < 0;
     const auto attempt = [&](auto found) {
         path.reason = found.reason;
+        if (found.reason == Reason::unsupported) path.why = why_no_flow(joint);
         if (found.reason != Reason::none) return;
         const Friction& friction = link_friction_of(found.flow);
         follow(found.flow, backwards ? mirrored(options, friction, V0) : options, path);

@@ -32,10 +32,11 @@ double command_for(const Actuator& a, double effort, double velocity)
     return left > 0 ? volts / left * (duty ? 1 : supply) : missing;
 }
 
-bool integral_at_limit(const Joint& joint, double velocity)
+bool integral_at_limit(const Joint& joint)
 {
     const auto& c = joint.control;
     if (c.integral_limit == infinity || c.kind == ControlKind::force) return false;
+    const double velocity = sliding_velocity(joint, commanded_velocity(joint));
     const double rate = joint.sensor.position_scale * velocity;
     return steady_output(c, command_for(joint.actuator, steady_effort(joint, velocity), velocity), rate, rate).at_limit;
 }
@@ -48,14 +49,14 @@ Joint without_integral(const Joint& joint)
     return left;
 }
 
-Joint without_stopped_integral(const Joint& joint, double velocity)
+Joint without_stopped_integral(const Joint& joint)
 {
-    return integral_at_limit(joint, velocity) ? without_integral(joint) : joint;
+    return integral_at_limit(joint) ? without_integral(joint) : joint;
 }
 
 Joint acting_joint(const Joint& joint)
 {
-    return with_gains(without_stopped_integral(joint, sliding_velocity(joint, commanded_velocity(joint))));
+    return with_gains(without_stopped_integral(joint));
 }
 
 namespace {

@@ -20,14 +20,15 @@ struct LowLimit {
 /// or duty of a motor. NaN where its supply sags before.
 double command_for(const Actuator& actuator, double effort, double velocity);
 
-/// Whether the integral of the controller stands at its limit in steady sliding at V, as it would have to hold more.
-bool integral_at_limit(const Joint& joint, double velocity);
+/// Whether the integral of the controller stands at its limit in steady sliding, as it would have to hold more.
+bool integral_at_limit(const Joint& joint);
 
 /// The joint with the integral of its controller off.
 Joint without_integral(const Joint& joint);
 
-/// The joint as it is about steady sliding at V: an integral that stands at its limit answers no small motion.
-Joint without_stopped_integral(const Joint& joint, double velocity);
+/// The joint as it is about steady sliding: an integral that stands at its limit answers no small motion. The one place
+/// that takes it off, for the linear theory (linear_verdict, real_loop) and for simulations (acting_joint).
+Joint without_stopped_integral(const Joint& joint);
 
 /// The joint as small motions about steady sliding at its own velocity meet it: a cascade as its sum of gains, without
 /// a stopped integral.

@@ -30,7 +30,7 @@ std::optional<IntegralCost> integral_cost(const Joint& joint, const LinearVerdic
 {
     const Control& c = joint.control;
     if (c.kind != ControlKind::position || gains_of(c).k_i == 0 || verdict.steady.reason != Reason::none) return {};
-    if (integral_at_limit(joint, sliding_velocity(joint, verdict.steady.velocity))) return {};
+    if (integral_at_limit(joint)) return {};
     const Joint without = without_integral(joint);
     const auto plain = linear_verdict(without);
     const double gain = gains_of(c).k_p, gain_without = gains_of(without.control).k_p;

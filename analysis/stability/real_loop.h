@@ -49,6 +49,10 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
 /// The mechanism about steady sliding at V with its actuator, without its controller.
 LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double velocity);
 
+/// Of a sampled loop with late friction: from the command to the position of the link at the ticks, opened; the gain
+/// that is open is 1. Nothing where the whole loop has none.
+std::optional<LateLoop> link_by_command(const Joint& joint, const LinearJoint& linear, double velocity);
+
 /// The windows of the gain that is open, in what is reported. Ticks and dead time always leave an end above.
 StableGains turned_gains(const RealLoop& loop);
 

@@ -27,16 +27,16 @@ std::vector<Complex> rates(const std::vector<Complex>& multipliers, double perio
     return roots;
 }
 
-std::vector<Complex> roots_of(const RealLoop& loop, double gain)
+LateSpectrum spectrum_of(const RealLoop& loop, double gain)
 {
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop))
-        return rates(multipliers(*sampled, gain), sampled->period);
-    return roots(std::get<LateLoop>(loop.loop), gain);
+        return {rates(multipliers(*sampled, gain), sampled->period), sampled_growth(*sampled, gain)};
+    return late_spectrum(std::get<LateLoop>(loop.loop), gain);
 }
 
 }  // namespace
 
-std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory)
+std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory, Input input)
 {
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return std::nullopt;
@@ -47,15 +47,21 @@ std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory)
     const auto& linear = answer.linear_;
     if (theory == Theory::velocity_only) answer.linear_ = velocity_only(std::move(answer.linear_));
     if (ideal) {
-        answer.roots_ = spectrum(linear);
+        answer.roots_ = spectrum(linear), answer.growth_ = spectral_abscissa(linear);
         return answer;
     }
     answer.loop_ = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!answer.loop_) return std::nullopt;
     const auto* late = std::get_if<LateLoop>(&answer.loop_->loop);
-    // between ticks a force on friction that answers late has no map from tick to tick
-    if (late && late->period > 0 && !late->friction.empty()) return std::nullopt;
-    answer.roots_ = roots_of(*answer.loop_, answer.loop_->gain);
+    if (late && late->period > 0 && !late->friction.empty()) {
+        if (input == Input::force) return std::nullopt;
+        const auto carried = link_by_command(joint, linear, velocity);
+        if (!carried) return std::nullopt;
+        answer.opened_.emplace(*late);
+        answer.carried_.emplace(*carried);
+    }
+    auto spectrum = spectrum_of(*answer.loop_, answer.loop_->gain);
+    answer.roots_ = std::move(spectrum.roots), answer.growth_ = spectrum.growth;
     answer.period_ = late ? late->period : std::get<DiscreteLoop>(answer.loop_->loop).period;
     answer.plant_ = loop_plant(joint, linear, velocity);
     answer.speed_ = linear.bodies + linear.link();
@@ -112,6 +118,10 @@ Eigen::VectorXcd LoopResponse::closed(double omega, const Eigen::VectorXcd& inpu
 
 Complex LoopResponse::by_command(double omega) const
 {
+    if (carried_) {
+        const Complex s(0, omega);
+        return carried_->prompt(s).first * carried_->late(s) * sensitivity(omega);
+    }
     if (const auto* late = std::get_if<LateLoop>(&loop_->loop))
         return std::exp(Complex(0, -omega * late->delay)) * closed(omega, late->input.cast<Complex>())[linear_.link()];
     return closed(omega, std::get<DiscreteLoop>(loop_->loop).input.cast<Complex>())[linear_.link()];
@@ -119,6 +129,11 @@ Complex LoopResponse::by_command(double omega) const
 
 Complex LoopResponse::sensitivity(double omega) const
 {
+    if (opened_) {
+        const Complex s(0, omega);
+        const auto [out, held] = opened_->prompt(s);
+        return 1.0 / (1.0 + (loop_->gain * out - held) * opened_->late(s));
+    }
     if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
         const Eigen::RowVectorXd command = late->held - loop_->gain * late->output;
         return 1.0 + std::exp(Complex(0, -omega * late->delay)) *
@@ -131,7 +146,7 @@ Complex LoopResponse::sensitivity(double omega) const
 ResponsePeak LoopResponse::peak(int points) const
 {
     if (!loop_) return response_peak(linear_, points);
-    if (!(growth(*loop_) <= 0)) return {missing, missing};
+    if (!(growth_ <= 0)) return {missing, missing};
     const double highest = period_ > 0 ? std::numbers::pi / period_ : infinity;
     return response_peak([this](double omega) { return std::abs(at(omega)); }, roots_, points, highest);
 }
@@ -202,7 +217,7 @@ std::vector<std::vector<Complex>> root_locus(const Joint& joint, const std::vect
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::k_p);
     if (!loop || joint.control.structure == Structure::cascade) return {};
     std::vector<std::vector<Complex>> rows;
-    for (const double k_p : gains) rows.push_back(roots_of(*loop, k_p));
+    for (const double k_p : gains) rows.push_back(spectrum_of(*loop, k_p).roots);
     follow_branches(rows);
     return rows;
 }

@@ -5,17 +5,21 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/loop/opened_loop.h"
 #include "analysis/stability/forced_response.h"
 #include "analysis/stability/loop.h"
 #include "analysis/stability/real_loop.h"
 
 namespace stickslip {
 
-/// A joint about steady sliding under its own loop, ideal or real, with a force on the link as its input.
+/// A joint about steady sliding under its own loop, ideal or real, with a force on the link as its input, or what is
+/// added to its commands.
 class LoopResponse {
   public:
-    /// By either theory. Nothing without steady sliding and where real_loop has none.
-    static std::optional<LoopResponse> of(const Joint& joint, Theory theory);
+    enum class Input { force, command };
+    /// By either theory. Nothing without steady sliding and where real_loop has none; with forces as the input neither
+    /// for sampled loops around late friction, as between ticks there is no map of it.
+    static std::optional<LoopResponse> of(const Joint& joint, Theory theory, Input input = Input::force);
 
     /// X/D(iω) of the link. Ideal: (19). Continuous: (iω − A − b c e^{−iωτ})⁻¹ d. Sampled, whose readings see no more,
     /// the motion at the samples: (e^{iωT} − M)⁻¹ (e^{iωT} − e^{AT})(iω − A)⁻¹ d.
@@ -32,6 +36,8 @@ class LoopResponse {
 
     /// Of a sampled loop ln(z)/T; where roots have no end, the rightmost.
     const std::vector<std::complex<double>>& roots() const { return roots_; }
+    /// max Re s of the loop, which may be further right than the roots that were found.
+    double growth() const { return growth_; }
     /// Time between samples; 0 of a continuous loop.
     double period() const { return period_; }
 
@@ -48,8 +54,9 @@ class LoopResponse {
     LoopPlant plant_;
     Eigen::VectorXd pushed_;  ///< rates per force on the link, of the plant
     int speed_ = 0;
-    double period_ = 0;
-    std::vector<std::complex<double>> roots_;  ///< of a sampled loop ln(z)/T
+    double period_ = 0, growth_ = missing;
+    std::optional<OpenedLoop> opened_, carried_;  ///< of a sampled loop around late friction, to its command and link
+    std::vector<std::complex<double>> roots_;     ///< of a sampled loop ln(z)/T
 };
 
 /// Roots of any loop over k_p, row by row; column i follows one root. Those of a sampled loop are ln(z)/T. Empty where

@@ -1,5 +1,7 @@
 #include "analysis/stability/real_loop.h"
 
+#include "analysis/joint/gains.h"
+#include "analysis/numerics/eigenvalues.h"
 #include "analysis/stability/steady.h"
 #include "analysis/stability/verdict_parts.h"
 
@@ -47,6 +49,14 @@ void add_margins(const Joint& joint, LinearVerdict& verdict)
 
 namespace {
 
+/// Of a mechanism that grows beyond all numbers within one tick: its own rate. A command that acts within the tick
+/// changes that by ln|1 − k|/T, less than a hundredth where e^{sT} overflows.
+double growth_within_tick(const Joint& joint, const LinearJoint& linear, double velocity)
+{
+    const auto own = eigenvalues_of(loop_plant(joint, linear, velocity).A);
+    return own.size() > 0 ? own.real().maxCoeff() : missing;
+}
+
 std::optional<RealLoop> whole_loop(const Joint& joint, double commanded, bool velocity_only_friction)
 {
     const double velocity = sliding_velocity(joint, commanded);
@@ -60,7 +70,13 @@ std::optional<RealLoop> whole_loop(const Joint& joint, double commanded, bool ve
 double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
 {
     const auto loop = whole_loop(joint, commanded, velocity_only_friction);
-    return loop ? growth(*loop) : missing;
+    if (!loop) return missing;
+    const double rate = growth(*loop);
+    if (rate != infinity) return rate;
+    const double velocity = sliding_velocity(joint, commanded);
+    auto linear = linear_joint(joint, velocity);
+    if (velocity_only_friction) linear = velocity_only(std::move(linear));
+    return growth_within_tick(joint, linear, velocity);
 }
 
 double real_side(const Joint& joint, double commanded, bool velocity_only_friction)
@@ -95,6 +111,7 @@ PointResult real_point(const Joint& joint, double commanded)
         return point;
     }
     point.spectral_abscissa = growth(*loop);
+    if (point.spectral_abscissa == infinity) point.spectral_abscissa = growth_within_tick(joint, linear, velocity);
     if (!std::isfinite(point.spectral_abscissa)) {
         point.spectral_abscissa = missing;
         point.reason = Reason::not_finite;
@@ -134,9 +151,19 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     const auto* late = std::get_if<LateLoop>(&all->loop);
     const auto closed = late ? late_spectrum(*late, 1) : LateSpectrum{};
     memory.spectral_abscissa = late ? closed.growth : growth(*all);
+    const bool beyond_numbers = memory.spectral_abscissa == infinity;
+    if (beyond_numbers) memory.spectral_abscissa = growth_within_tick(joint, linear, V);
     if (!std::isfinite(memory.spectral_abscissa)) {
         memory.spectral_abscissa = missing;
         verdict.steady.reason = Reason::not_finite;
+        return verdict;
+    }
+    if (beyond_numbers) {
+        // no gain holds it, and nothing about its map from tick to tick is a number
+        memory.searched_from = memory.searched_to = gains_of(joint.control).k_p;
+        const double simply = real_growth(joint, verdict.steady.velocity, true);
+        simple.stable = simply < 0;
+        simple.neutral = simply == 0;
         return verdict;
     }
     if (const auto* sampled = std::get_if<DiscreteLoop>(&all->loop)) {

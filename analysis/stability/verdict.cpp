@@ -132,22 +132,23 @@ void tell_stopped_integral(const Control& c, LoopUse& loop)
 
 }  // namespace
 
-LinearVerdict linear_verdict(const Joint& joint)
+LinearVerdict linear_verdict(const Joint& described)
 {
-    const double sliding = sliding_velocity(joint, commanded_velocity(joint));
-    if (integral_at_limit(joint, sliding)) {
-        auto verdict = linear_verdict(without_integral(joint));
-        verdict.steady = possible_sliding(joint);  // what the integral holds counts in the deflection
-        tell_stopped_integral(joint.control, verdict.loop);
-        return verdict;
-    }
+    const bool stopped = integral_at_limit(described);
+    const Joint joint = without_stopped_integral(described);
     LinearVerdict verdict;
     verdict.loop = loop_use(joint);
-    verdict.steady = possible_sliding(joint);
+    if (stopped) tell_stopped_integral(described.control, verdict.loop);
+    verdict.steady = possible_sliding(described);  // what a stopped integral holds counts in the deflection
     if (verdict.steady.reason != Reason::none) return verdict;
     if (verdict.loop.kind != LoopKind::ideal) return real_verdict(joint, std::move(verdict));
     // a cascade without an integral, after the loop is known to be the ideal one
-    if (joint.control.structure == Structure::cascade) return linear_verdict(with_gains(joint));
+    if (joint.control.structure == Structure::cascade) {
+        auto summed = linear_verdict(with_gains(joint));
+        if (stopped) tell_stopped_integral(described.control, summed.loop);
+        summed.steady = verdict.steady;
+        return summed;
+    }
     if (!is_plain_mass(joint)) return joint_verdict(joint, std::move(verdict));
     const auto mass = linear_mass(joint, verdict.steady.velocity);
     if (!mass.friction.rational()) return joint_verdict(joint, std::move(verdict));

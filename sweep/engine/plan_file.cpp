@@ -36,7 +36,7 @@ Axis axis_from(const Json& json, Units units)
 
 Quantity quantity_in(std::string_view unit, Units units)
 {
-    constexpr int last = static_cast<int>(Quantity::temperature);
+    constexpr int last = static_cast<int>(Quantity::cubic_stiffness);  // of the enumeration
     for (int i = 0; i <= last; ++i)
         if (unit_of(static_cast<Quantity>(i), units) == unit) return static_cast<Quantity>(i);
     throw std::runtime_error("no quantity is written in \"" + std::string(unit) + "\"");

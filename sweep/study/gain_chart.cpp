@@ -104,7 +104,7 @@ std::optional<GainChart> gain_chart_over(const Joint& joint, const Interval& k_p
 
 std::optional<GainChart> gain_chart(const Joint& joint)
 {
-    if (loop_kind(joint) == LoopKind::ideal || !has_gains_to_turn(joint)) return std::nullopt;
+    if (left_out_by_ideal(joint).used.empty() || !has_gains_to_turn(joint)) return std::nullopt;
     const auto own = stable_gains(joint), ideal = stable_gains(with_ideal_loop(joint));
     if (!own.known) return std::nullopt;
     const auto k_p = k_p_range(joint, own, ideal);

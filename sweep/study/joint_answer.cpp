@@ -35,7 +35,7 @@ JointAnswer answer_joint(const Joint& joint, const LinearVerdict& linear, const 
     if (!answer.slides) return answer;
     answer.nearest = nearest_boundary(joint, natural_coordinates(joint), affordable_search(joint));
     answer.velocities = search_velocities(joint);
-    if (linear.loop.kind != LoopKind::ideal)
+    if (!left_out_by_ideal(joint).used.empty())
         answer.ideal_gains = linear_verdict(with_ideal_loop(joint)).state_variable.stable_intervals;
     if (question.locus)
         answer.locus = sampled_root_locus(

@@ -36,7 +36,7 @@ std::vector<Curve> chart_boundaries(const Joint& joint, const Axis& x, const Axi
 {
     std::vector<Curve> curves;
     std::vector<Curve::Kind> theories{Curve::Kind::velocity_only, Curve::Kind::state_variable};
-    if (loop_kind(joint) != LoopKind::ideal) theories.push_back(Curve::Kind::ideal_loop);
+    if (!left_out_by_ideal(joint).used.empty()) theories.push_back(Curve::Kind::ideal_loop);
     for (const auto theory : theories) {
         auto curve = locate_over_chart(joint, x, y, theory, mesh);
         if (!curve.x.empty()) curves.push_back(std::move(curve));

@@ -1,5 +1,6 @@
 #include "sweep/study/margins_answer.h"
 
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>
@@ -31,6 +32,11 @@ MarginsAnswer margins_of(const Joint& joint)
     answer.joint = joint;
     auto coordinates = natural_coordinates(joint);
     answer.nearest = nearest_boundary(joint, coordinates, affordable_search(joint));
+    if (!answer.nearest.decided) {
+        answer.reason = possible_sliding(joint).reason;
+        if (answer.reason == Reason::none) answer.reason = Reason::not_finite;
+        return answer;
+    }
     for (const char* gain : {"control.k_v", "control.k_p"})
         if (!std::isnan(value_of(joint, {gain, ""}))) coordinates.insert(coordinates.begin(), Coordinate{gain, ""});
     for (const auto& c : coordinates) {

@@ -34,6 +34,7 @@ struct RobustSet {
 struct MarginsAnswer {
     std::string title, command;
     Joint joint;
+    Reason reason = Reason::none;  ///< why it has no verdict, and so no margin
     NearestBoundary nearest;
     std::vector<NearestBoundary> alone;  ///< one parameter each
     std::vector<Coordinate> alone_of;

@@ -110,6 +110,21 @@ std::vector<std::string> row_of(const char* name, const GainChoice& c, const Gai
 
 }  // namespace
 
+std::string stage_text(DesignStage stage)
+{
+    switch (stage) {
+        case DesignStage::best:
+            return "the best gains under all requirements";
+        case DesignStage::demands:
+            return "what each requirement can reach";
+        case DesignStage::front:
+            return "the Pareto front";
+        case DesignStage::velocity_only:
+            return "the choice of the velocity-only model";
+    }
+    return "unknown";
+}
+
 std::string design_verdict(const DesignAnswer& a)
 {
     const DesignUnits u{units_of(a.joint)};

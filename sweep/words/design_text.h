@@ -22,6 +22,9 @@ struct DesignUnits {
 /// "k_{p} = 20 kN/m, k_{v} = 10 N·s/m"
 std::string gains_text(const GainChoice& c, const DesignUnits& u);
 
+/// What is still searched.
+std::string stage_text(DesignStage stage);
+
 /// Of a requirement, in words.
 std::string demand_name(const std::string& name);
 

@@ -11,13 +11,14 @@ std::string detail_text(Detail detail)
         case Detail::late_with_memory:
             return "delayed friction is simulated without additional memory";
         case Detail::moving_normal_load:
-            return "a normal load that depends on the motion is part of the linear theory only";
+            return "a normal load that depends on the motion ([normal]) is part of the linear theory only";
         case Detail::neighbours:
             return "neighbours are part of the linear theory only";
         case Detail::backlash:
             return "backlash in a transmission leaves no steady sliding to disturb";
         case Detail::place_or_time:
-            return "a force or friction that changes with position or time leaves no steady sliding to disturb";
+            return "a force or friction that changes with position, with time or with the effort at the load leaves no "
+                   "steady sliding to disturb; simulate shows the motion";
         case Detail::chatters:
             return "the push towards the set point jumps by more than the friction of steady sliding: the joint "
                    "chatters about its reference";
@@ -28,9 +29,11 @@ std::string detail_text(Detail detail)
         case Detail::force_loop:
             return "a force loop is simulated without sampling and dead time only";
         case Detail::normal_load_in_loop:
-            return "a normal load that depends on the motion is not simulated in a real loop";
+            return "[normal], a normal load that depends on the motion, is part of the linear theory only and is not "
+                   "simulated";
         case Detail::neighbours_in_loop:
-            return "neighbours are not simulated in a real loop";
+            return "[[neighbour]], joints coupled by the mass matrix, are part of the linear theory only and are not "
+                   "simulated";
         case Detail::linear_law:
             return "the law is linear by definition";
         case Detail::bristles_with_memory:
@@ -70,6 +73,12 @@ std::string detail_text(Detail detail)
         case Detail::law_at_rest:
             return "the law is undefined at rest: start with a reference that moves forward, or use "
                    "rate-and-state-regularised";
+        case Detail::no_state:
+            return "a disturbed state is one of the friction on the link, and its law has none; other disturbances "
+                   "(velocity, position, offset, impulse, start) need no state";
+        case Detail::forces_in_loop:
+            return "a force or a normal load from outside is simulated in the ideal loop only; --ideal-loop takes that "
+                   "loop";
     }
     return "unknown";
 }

@@ -61,12 +61,15 @@ std::string loop_text(const LoopUse& loop)
     return text;
 }
 
-std::string left_out_text(const LoopUse& described, bool slides_smoothly)
+std::string left_out_text(const LoopUse& described, double growth)
 {
     std::string used;
     for (const auto& key : described.used) add(used, key);
-    return "--ideal-loop leaves out " + used + " of the joint file. In the " + loop_name(described.kind) +
-           " loop as it is, sliding at this velocity is " + (slides_smoothly ? "stable" : "unstable") + ".";
+    const std::string loop = loop_name(described.kind) + " loop as it is, ";
+    return "--ideal-loop leaves out " + used + " of the joint file. In the " + loop +
+           (growth != growth ? "steady sliding at this velocity has no verdict."
+            : growth < 0     ? "sliding at this velocity is stable."
+                             : "sliding at this velocity is unstable.");
 }
 
 std::string of_ideal_loop(const std::string& verdict)

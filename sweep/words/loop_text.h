@@ -17,8 +17,9 @@ std::string why_text(WhyNot why);
 /// A sentence with what the loop used and what it could not; empty for an ideal loop that leaves nothing out.
 std::string loop_text(const LoopUse& loop);
 
-/// What `--ideal-loop` leaves out of the joint that its file describes, and whether that joint slides.
-std::string left_out_text(const LoopUse& described, bool slides_smoothly);
+/// What `--ideal-loop` leaves out of the joint that its file describes, and whether that joint slides: by its growth
+/// rate, NaN where it has none.
+std::string left_out_text(const LoopUse& described, double growth);
 
 /// A verdict on the ideal loop of a joint whose file describes another: it begins with the loop that it is about.
 std::string of_ideal_loop(const std::string& verdict);

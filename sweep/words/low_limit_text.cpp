@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "analysis/stability/steady.h"
+#include "sweep/words/detail_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {
@@ -22,9 +23,15 @@ std::string low_limit_text(const Joint& joint)
     return "No steady sliding: " + std::string(low->path) + " " + low_limit_words(*low, units_of(joint)) + ".";
 }
 
-std::string no_motion_text(const Joint& joint, Reason reason)
+std::string no_motion_text(const Joint& joint, const Trajectory& motion)
 {
-    return reason == Reason::limit_too_low ? low_limit_text(joint) : "No motion: " + reason_text(reason) + ".";
+    if (motion.reason == Reason::limit_too_low) return low_limit_text(joint);
+    return "No motion: " + stop_text(motion) + ".";
+}
+
+std::string stop_text(const Trajectory& motion)
+{
+    return motion.why == Detail::none ? reason_text(motion.reason) : detail_text(motion.why);
 }
 
 }  // namespace stickslip

@@ -1,7 +1,7 @@
 // A limit that leaves no steady sliding, in words.
 #pragma once
 #include "analysis/joint/joint.h"
-#include "analysis/results/point.h"
+#include "analysis/results/trajectory.h"
 #include "analysis/stability/effort_limits.h"
 
 #include <string>
@@ -16,6 +16,9 @@ std::string low_limit_words(const LowLimit& low, Units units);
 std::string low_limit_text(const Joint& joint);
 
 /// Of a motion that was not simulated.
-std::string no_motion_text(const Joint& joint, Reason reason);
+std::string no_motion_text(const Joint& joint, const Trajectory& motion);
+
+/// Why a simulation has no motion, or ends before its time.
+std::string stop_text(const Trajectory& motion);
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/symbols.h"
+#include "sweep/words/verdict_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ Table alone_table(const MarginsAnswer& a)
         const auto quantity = quantity_of(a.joint, c.path);
         const auto& n = a.alone[i];
         table.rows.push_back({coordinate_text(c, units), with_unit(value_of(a.joint, c), quantity, units, 5),
-                              n.found ? with_unit(n.moves[0].to, quantity, units, 8) : "none",
+                              n.found ? with_unit(n.moves[0].to, quantity, units, 8) : "none within ×10",
                               n.found ? signed_percent(n.moves[0].to / n.moves[0].from - 1) : "–"});
     }
     return table;
@@ -76,6 +77,7 @@ Table alone_table(const MarginsAnswer& a)
 
 std::string margins_text(const MarginsAnswer& a)
 {
+    if (!a.nearest.decided) return "No margin, as the joint has no verdict: " + reason_text(a.reason) + ".";
     std::string text = nearest_text(a.nearest, units_of(a.joint));
     if (a.nearest.found)
         text += " Without reaching it " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +

@@ -13,7 +13,8 @@ std::string reason_text(Reason reason)
         case Reason::no_velocity:
             return "neither control.V0 nor control.force_rate is set";
         case Reason::law_needs_motion:
-            return "the friction law is undefined at this velocity";
+            return "the joint cannot slide at this velocity: V_0 = 0 is a set point, and laws that need motion take "
+                   "V_0 > 0 only";
         case Reason::no_steady_state:
             return "there is no steady sliding at the commanded velocity";
         case Reason::not_finite:

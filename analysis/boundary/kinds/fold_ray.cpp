@@ -74,7 +74,7 @@ class Branches {
         Eigen::VectorXd guess(on.section() + 2);
         guess << seed->w, seed->q, 0.5;
         const auto fold = on.solve(guess, 1);
-        if (!fold || !on.place(*fold).inside()) return false;
+        if (!fold || !on.place(*fold).inside() || fold->z.head(on.section()).norm() < least_orbit) return false;
         const int before = on.turns() + along_.turns();
         auto point = on.located(*fold, false, request_.precision).at;
         if (!(unit_.unit(point.value) >= 0 && unit_.unit(point.value) <= 1)) return true;  // found, but off the axis

@@ -11,7 +11,6 @@ namespace stickslip {
 namespace {
 
 constexpr double small_orbit = 0.05;     ///< per scale, at which a branch is entered beside its Hopf point
-constexpr double least_orbit = 0.01;     ///< below which a branch has come to an end
 constexpr double beyond = 0.3;           ///< share of the axis by which a branch may leave it
 constexpr double share_of_orbit = 0.15;  ///< weight of a relative change of the orbit against one of the axis
 

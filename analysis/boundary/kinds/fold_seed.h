@@ -8,6 +8,10 @@
 
 namespace stickslip {
 
+/// Per scale, the size of an orbit below which a branch has come to its end: at a Hopf point, which on an axis that is
+/// wide beside the strip of the branch solves the equations of a fold, too.
+inline constexpr double least_orbit = 0.01;
+
 /// A fold to be polished: states on the section and the share of the axis.
 struct FoldSeed {
     Eigen::VectorXd w;

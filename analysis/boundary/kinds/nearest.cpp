@@ -5,6 +5,7 @@
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/numerics/optimise.h"
 #include "analysis/numerics/root.h"
+#include "analysis/stability/frequency_search.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/steady.h"
 
@@ -30,6 +31,7 @@ class NearestSearch {
           movable_(joint, coordinates)
     {
         if (!is_set(options_.reach)) options_.reach = default_reach(coordinates);
+        precision_ = options_.precision;
     }
 
     NearestBoundary run()
@@ -62,6 +64,10 @@ class NearestSearch {
             if (further && n_ > 1 && options_.local > 0 && (options_.global || step < 0.1))
                 consider(local_minimum(distance, cube, scaled_by(best, 0.7 / norm(best)), step,
                                        options_.local * static_cast<int>(n_)));
+        if (least < options_.reach && precision_ > crossing_precision) {
+            precision_ = crossing_precision;
+            least = distance(best);
+        }
         if (least < options_.reach) finish(best, least);
         return result_;
     }
@@ -91,7 +97,7 @@ class NearestSearch {
             if (!side) break;
             if (*side != result_.stable) {
                 const double fa = a == 0 ? here_ : at(a), fb = at(b);
-                if ((fa < 0) != (fb < 0)) return bracketed_root(at, a, fa, b, fb, crossing_precision).value;
+                if ((fa < 0) != (fb < 0)) return bracketed_root(at, a, fa, b, fb, precision_).value;
             }
             a = b;
         }
@@ -151,7 +157,7 @@ class NearestSearch {
     NearestOptions options_;
     std::size_t n_;
     MovableJoint movable_;
-    double here_ = missing;
+    double here_ = missing, precision_ = crossing_precision;
     NearestBoundary result_;
 };
 
@@ -167,6 +173,10 @@ NearestOptions affordable_search(const Joint& joint)
         options.global = false, options.rays = 12, options.local = 8;
     else if (linear.bodies > 1)
         options.global = false, options.rays = 24, options.local = 40;
+    const double effort = search_effort();
+    constexpr double least_global = 0.5, most_local = 1000;
+    options.global = options.global && effort >= least_global;
+    options.local = static_cast<int>(std::clamp(options.local * effort, 1.0, most_local));
     return options;
 }
 

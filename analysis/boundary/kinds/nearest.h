@@ -11,6 +11,7 @@ struct NearestOptions {
     int rays = 48;           ///< steps, finer near the joint, along each direction before the first crossing is located
     bool global = true;      ///< first NLopt's DIRECT over all directions; otherwise only from the starts
     int local = 80;          ///< steps of the local search per coordinate; 0: the boundary's normals alone
+    double precision = 1e-10;  ///< of the distances that are compared; the one that is answered has 1e-10
     std::vector<std::vector<double>> starts;  ///< directions to begin with, beside the axes
     bool along_starts_only = false;           ///< nothing but these is looked along
 };

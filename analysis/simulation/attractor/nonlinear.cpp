@@ -50,17 +50,6 @@ bool held_by_spring(const LateFlow& flow)
     return held_by_spring(flow.chain());
 }
 
-Detail why_unsupported(const Joint& joint)
-{
-    if (answers_late(joint)) return Detail::late_with_memory;
-    if (joint.normal.moves()) return Detail::moving_normal_load;
-    if (joint.neighbour.size > 0) return Detail::neighbours;
-    const auto& m = joint.mechanism;
-    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
-        return Detail::backlash;
-    return Detail::place_or_time;
-}
-
 /// The linear theory's side of the axis, and whether it is neutral whatever the gain: at a critical gain memory still
 /// decides, but what nothing damps is left to itself.
 struct LinearSide {
@@ -167,6 +156,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
 
     const FlowVector y0 = disturbed(flow, mode, kind, verdict.disturbance.size);
     const bool no_states = kind == DisturbanceKind::state && (y0 - mode.steady).isZero(0);
+    if (no_states) verdict.detail = Detail::no_state;
     if (no_states || !y0.allFinite())
         return leave_open(no_states ? Reason::unsupported : Reason::law_needs_motion, verdict);
     const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
@@ -214,7 +204,7 @@ NonlinearVerdict verdict_of_flow(const Joint& joint, const NonlinearOptions& opt
                 verdict.growth_missing = Detail::growth_unmeasured;
         } else {
             verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : Outcome::undecided;
-            if (found.reason == Reason::unsupported) verdict.detail = why_unsupported(joint);
+            if (found.reason == Reason::unsupported) verdict.detail = why_no_flow(joint);
             verdict.growth_missing = Detail::not_followed;
         }
     };

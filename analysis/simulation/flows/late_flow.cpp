@@ -127,6 +127,17 @@ bool answers_late(const Joint& joint)
                        [](const Body& b) { return std::holds_alternative<TimeLag>(b.friction->law); });
 }
 
+Detail why_no_flow(const Joint& joint)
+{
+    if (answers_late(joint)) return Detail::late_with_memory;
+    if (joint.normal.moves()) return Detail::moving_normal_load;
+    if (joint.neighbour.size > 0) return Detail::neighbours;
+    const auto& m = joint.mechanism;
+    if (m.transmission.backlash + m.motor_transmission.backlash + m.transmission_link.backlash > 0)
+        return Detail::backlash;
+    return Detail::place_or_time;
+}
+
 LateOrReason late_flow(const Joint& joint)
 {
     auto chain = chain_flow(joint, true);

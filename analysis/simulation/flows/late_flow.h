@@ -1,6 +1,7 @@
 // Friction that answers late, f(t) = f_ss(V(t − τ)), by the method of steps: over less than a lag the late friction is
 // a known function of time, and the motion a flow like any other.
 #pragma once
+#include "analysis/results/detail.h"
 #include "analysis/simulation/flows/chain_flow.h"
 #include "analysis/simulation/flows/late_past.h"
 #include "analysis/simulation/flows/mode.h"
@@ -94,6 +95,9 @@ struct LateOrReason {
     Reason reason = Reason::none;
 };
 bool answers_late(const Joint& joint);
+
+/// Why a joint of the ideal loop is `unsupported`: it has no flow, late or not.
+Detail why_no_flow(const Joint& joint);
 LateOrReason late_flow(const Joint& joint);
 
 /// The rightmost root of the characteristic equation with its null vectors.

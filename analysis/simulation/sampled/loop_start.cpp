@@ -26,6 +26,13 @@ double small_size(DisturbanceKind kind, double V0, std::complex<double> s)
     return speed;
 }
 
+Detail why_not_disturbed(const Joint& joint, DisturbanceKind kind)
+{
+    if (kind != DisturbanceKind::state) return Detail::none;
+    const Chain chain = chain_of(joint);
+    return states(*chain.body[chain.bodies - 1].friction) > 0 ? Detail::none : Detail::no_state;
+}
+
 bool disturb_loop(SampledLoop& loop, const Joint& joint, const Disturbance& disturbance)
 {
     const double size = disturbance.size, V0 = loop.frame();

@@ -1,5 +1,6 @@
 // Disturbances of a loop that slides steadily.
 #pragma once
+#include "analysis/results/detail.h"
 #include "analysis/simulation/flows/disturbance.h"
 #include "analysis/simulation/sampled/sampled_loop.h"
 
@@ -9,6 +10,9 @@ namespace stickslip {
 
 /// The size that is meant where none is given, about a mode of rate s.
 double small_size(DisturbanceKind kind, double V0, std::complex<double> s);
+
+/// Why this disturbance has no meaning for a joint, whatever its size, or none.
+Detail why_not_disturbed(const Joint& joint, DisturbanceKind kind);
 
 /// Slides steadily and is then disturbed; false where that has no meaning. `joint` has the gains that act.
 bool disturb_loop(SampledLoop& loop, const Joint& joint, const Disturbance& disturbance);

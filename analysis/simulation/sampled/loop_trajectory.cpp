@@ -45,14 +45,33 @@ bool has_unsteady_terms(const Joint& joint)
     return false;
 }
 
+namespace {
+
+void keep_every_second(Trajectory& path)
+{
+    const auto halve = [](auto& values) {
+        for (std::size_t i = 0; 2 * i < values.size(); ++i) values[i] = values[2 * i];
+        values.resize((values.size() + 1) / 2);
+    };
+    for (auto* values : {&path.time, &path.position, &path.velocity, &path.friction}) halve(*values);
+    for (auto& state : path.states) halve(state);
+    halve(path.stuck);
+}
+
+}  // namespace
+
 Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& question)
 {
     Trajectory path;
-    const auto refuse = [&path](Reason reason) { return path.reason = reason, path; };
+    const auto refuse = [&path](Reason reason, Detail why = Detail::none) {
+        return path.reason = reason, path.why = why, path;
+    };
     const double V0 = commanded_velocity(joint);
     path.commanded_velocity = V0;
     if (!is_set(V0)) return refuse(Reason::no_velocity);
-    if (why_not_driven(joint) != Detail::none) return refuse(Reason::unsupported);
+    if (const auto why = why_not_driven(joint); why != Detail::none) return refuse(Reason::unsupported, why);
+    if (const auto why = why_not_disturbed(joint, question.disturbance.kind); why != Detail::none)
+        return refuse(Reason::unsupported, why);
     const double frame = V0 / joint.sensor.position_scale;
     const auto s = rate_of(joint, frame);
     LoopOptions options;
@@ -86,15 +105,15 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
     };
     keep(0, loop.motion.y.data(), loop.motion.joint);
     const long ticks = std::lround(std::ceil(duration / loop.period()));
-    // a long motion in short ticks keeps some of its steps
-    const long each = std::max(1L, 2 * ticks / static_cast<long>(most_steps));
+    // a long motion in short ticks keeps the steps of some ticks, of ever fewer the more there are in each
+    long each = std::max(1L, 2 * ticks / static_cast<long>(most_steps));
     for (long k = 0; k < ticks; ++k) {
+        if (path.time.size() > most_steps) keep_every_second(path), each *= 2;
         const bool kept = k % each == 0;
         const bool moved = loop.tick(0, loop.reference_velocity(), 0, [&](const DrivenStep& step) {
             if (kept) keep(step.t + step.step.h, step.step.y1.data(), step.joint);
         });
-        if (!moved) return refuse(Reason::solver_failed);
-        if (path.time.size() > most_steps) return refuse(Reason::solver_failed);
+        if (!moved) return refuse(Reason::solver_failed, Detail::stopped);
     }
     return path;
 }

@@ -230,7 +230,8 @@ void LoopInquiry::begin_stated()
         loop_->set_state(lifted_state);
         loop_->motion.enter();
     } else if (!disturb_loop(*loop_, joint_, disturbance)) {
-        verdict_ = refused(Reason::law_needs_motion);
+        const auto why = why_not_disturbed(joint_, disturbance.kind);
+        verdict_ = refused(why == Detail::none ? Reason::law_needs_motion : Reason::unsupported, why);
         return;
     }
     follow(Phase::stated);

@@ -13,6 +13,7 @@
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
+#include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/boundary_report.h"
@@ -45,17 +46,26 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
     answer.rays.push_back(std::move(ray));
 }
 
+std::string stage_of(const BoundaryRequest& request, const std::vector<Axis>& axes)
+{
+    return fmt::format("the {} boundary {} {}{}", name_of(request.kind), axes.size() == 2 ? "over" : "along",
+                       axes[0].path, axes.size() == 2 ? " and " + axes[1].path : "");
+}
+
 /// Returns how many questions were answered before a stop was requested. What lies under the curves comes last.
 std::size_t answer_all(BoundaryAnswer& answer, const std::vector<BoundaryQuestion>& questions,
                        const Invocation& invocation)
 {
     std::size_t answered = 0;
+    StageLine line("", std::chrono::seconds(1));
     try {
         for (const auto& [request, axes] : questions) {
             if (invocation.interrupted) throw Stopped();
+            line.stage(stage_of(request, axes));
             answer_one(answer, request, axes, invocation);
             ++answered;
         }
+        line.stage("the regions under the curves");
         answer.charts =
             boundary_charts(answer.design, answer.curves, until_interrupted(invocation.interrupted, parallel_for_each));
         for (const auto& chart : answer.charts)

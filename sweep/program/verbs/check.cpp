@@ -4,6 +4,7 @@
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/check_gap.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/shell_word.h"
@@ -25,12 +26,13 @@ struct Options {
     LogOptions how;
     GapTolerance tolerance;
     int threads = 0;
-    bool update = false, json = false;
+    bool update = false, json = false, ideal_loop = false;
 };
 
 int check(const Options& options, const Invocation& invocation)
 {
-    const Spec spec = read_spec(options.spec);
+    Spec spec = read_spec(options.spec);
+    if (options.ideal_loop) leave_loop_out(spec);
     const ThreadLimit limit(options.threads);
     const auto now = watched_boundaries(spec, parallel_for_each);
     if (now.empty()) throw BadInput(options.spec + ": no boundary lies within the axes: there is nothing to compare");
@@ -68,6 +70,8 @@ int check_files(Options options, const Invocation& invocation)
 {
     options.baseline = options.files.back();
     options.files.pop_back();
+    if (!options.files.empty() && options.ideal_loop)
+        throw BadInput("--ideal-loop: is only for a check of boundaries; records are of the loop as it is");
     if (!options.files.empty())
         return check_gap({options.spec, options.baseline, options.junit, options.directory, options.files, options.name,
                           options.how, options.tolerance, options.threads, options.update, options.json},
@@ -93,6 +97,8 @@ void add_check(CLI::App& app, Invocation& invocation)
     verb->add_option("-o,--output", options->directory,
                      "directory for report.html with old and new curves, or for the diagnosis of the records");
     add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
+    verb->add_flag("--ideal-loop", options->ideal_loop,
+                   "of boundaries: the paper's loop, no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "of a gap: print the outcome as JSON");
     verb->add_option("--gap-tolerance", options->tolerance.gap, "largest relative growth of the gap")
         ->check(not_negative_number())

@@ -1,5 +1,6 @@
 // stickslip design: the best gains under requirements.
 #include "analysis/simulation/simulate.h"
+#include "analysis/stability/frequency_search.h"
 #include "sweep/files/json/design_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -9,9 +10,11 @@
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/program/verbs/design_set_point.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/design_report.h"
@@ -23,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace stickslip {
 namespace {
@@ -31,7 +35,8 @@ struct Options {
     std::string input, directory;
     std::vector<std::string> settings, requirements;
     int threads = 0;
-    bool json = false, holds = false;  ///< holds: --set-point
+    double effort = 1;
+    bool json = false, holds = false, ideal_loop = false;  ///< holds: --set-point
     SetPointOptions set_point;
 };
 
@@ -55,32 +60,40 @@ std::optional<GainChart> map_of_choices(const DesignAnswer& answer, const Joint&
 
 int design(const Options& options, const Invocation& invocation)
 {
-    const auto asked = read_spec_or_joint(options.input, options.settings);
+    auto asked = read_spec_or_joint(options.input, options.settings);
+    const Joint described = asked.design;  // whose sensors and limits the requirements are of, in any loop
+    if (options.ideal_loop) leave_loop_out(asked);
     say_no_sliding(options.input, options.settings, asked.design);
     DesignAnswer answer;
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.joint = asked.design;
-    answer.requirements = read_requirements(options.input, asked.design, options.requirements);
+    answer.requirements = read_requirements(options.input, described, options.requirements);
     const ThreadLimit limit(options.threads);
+    set_search_effort(options.effort);
+    std::optional<StageLine> line(std::in_place, "--effort 0.1 searches less", std::chrono::seconds(1));
     try {
         answer.range = gain_range(answer.joint, answer.requirements);
-        answer.design = design_gains(answer.joint, answer.requirements, parallel_for_each);
+        answer.design = design_gains(answer.joint, answer.requirements, line->counted(parallel_for_each),
+                                     [&](DesignStage stage) { line->stage(stage_text(stage)); });
     } catch (const std::invalid_argument& e) {
         throw BadInput(fmt::format("{}: requirements.{}", options.input, e.what()));
     }
     if (answer.design.decided) {
+        line->stage("the nearest boundary of these gains");
         Joint best = answer.joint;
         best.control.k_p = answer.design.best.k_p, best.control.k_v = answer.design.best.k_v;
         const auto& uncertain = answer.requirements.uncertain;
         answer.nearest =
             nearest_boundary(best, uncertain.empty() ? friction_coordinates(best) : uncertain, affordable_search(best));
         if (!options.directory.empty()) {  // only the page shows them
+            line->stage("what its page draws");
             answer.map = map_of_choices(answer, best);
             answer.motion = simulate(best, {});
             answer.motion_before = simulate(answer.joint, {});
         }
     }
+    line.reset();
     const auto json = design_json(answer);
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
@@ -99,13 +112,15 @@ int design(const Options& options, const Invocation& invocation)
         write_whole(std::filesystem::path(options.directory) / "design.json", json.dump(1) + "\n");
         std::vector<Snippet> snippets;
         if (answer.design.feasible) {
-            Joint best = answer.joint;
+            // gains of the ideal loop go into the file as it is
+            const Joint before = described.control.structure == Structure::pid ? described : answer.joint;
+            Joint best = before;
             // as many digits as the page prints, and two more
             const auto typed = [](double gain) { return std::stod(fmt::format("{:.6g}", gain)); };
             best.control.k_p = typed(answer.design.best.k_p), best.control.k_v = typed(answer.design.best.k_v);
             const auto text = joint_text(best);
             write_whole(std::filesystem::path(options.directory) / "designed-joint.toml", text);
-            snippets = {{"For the joint file", changed_lines(joint_text(answer.joint), text), ""},
+            snippets = {{"For the joint file", changed_lines(joint_text(before), text), ""},
                         {"The whole joint file with these gains", text, "designed-joint.toml"}};
         }
         const auto page = write_report(design_report(answer, std::move(snippets)), options.directory);
@@ -130,10 +145,17 @@ void add_design(CLI::App& app, Invocation& invocation)
                      "[N·s/m], front_points; rad, N·m for revolute joints; values may carry units");
     verb->add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
     add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
+    verb->add_option("--effort", options->effort,
+                     "multiple of the usual work of a search for gains: fewer or more of them, and directions")
+        ->check(positive_number());
+    auto* ideal = verb->add_flag("--ideal-loop", options->ideal_loop,
+                                 "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_flag("--json", options->json, "print design.json instead of text");
-    auto* holds = verb->add_flag(
-        "--set-point", options->holds,
-        "instead: hold a set point without hunting, with k_i, dead zone, friction compensation and dither");
+    auto* holds =
+        verb->add_flag(
+                "--set-point", options->holds,
+                "instead: hold a set point without hunting, with k_i, dead zone, friction compensation and dither")
+            ->excludes(ideal);
     auto& held = options->set_point;
     verb->add_option("--over", held.over,
                      "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")

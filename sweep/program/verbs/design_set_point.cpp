@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include "analysis/design/set_point_design.h"
@@ -15,6 +17,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
+#include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/report/pages/set_point_design_report.h"
@@ -51,11 +54,14 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
     const auto requirements = requirements_of(options);
     const ThreadLimit limit(options.threads);
     SetPointDesign design;
+    std::optional<StageLine> line(std::in_place, "", std::chrono::seconds(1));
+    line->stage("the least error at rest of each way to hold the set point");
     try {
         design = design_set_point(joint, requirements, parallel_for_each);
     } catch (const std::invalid_argument& e) {
         throw BadInput(fmt::format("{}: {}", options.input, e.what()));
     }
+    line.reset();
     const auto json = set_point_design_json(design, options.friction_margin);
     if (options.json) {
         fmt::print("{}\n", json.dump(2));

@@ -59,7 +59,7 @@ nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance&
         json["linear"]["integral_cost"] = {
             {"margin", e.integral->with}, {"margin_without", e.integral->without}, {"share", e.integral->share()}};
     if (e.described) {
-        json["notes"].push_back(left_out_text(loop_use(*e.described), e.described_slides));
+        json["notes"].push_back(left_out_text(left_out_by_ideal(*e.described), e.described_growth));
         json["note_codes"].push_back("ideal-loop");
     }
     if (!e.servo.empty()) json["notes"].push_back(e.servo), json["note_codes"].push_back("servo");
@@ -80,7 +80,7 @@ void print_text(const Evaluated& e)
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }
-    if (e.described) fmt::print("{}\n", left_out_text(loop_use(*e.described), e.described_slides));
+    if (e.described) fmt::print("{}\n", left_out_text(left_out_by_ideal(*e.described), e.described_growth));
     for (const auto& mode : e.near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, e.units())));
     if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));
     if (!e.servo.empty()) fmt::print("{}\n", e.servo);

@@ -74,9 +74,9 @@ Evaluated evaluated(const EvaluateOptions& options, StageLine& line)
     e.contradicting = contradicting_terms(e.verdict, e.nonlinear);
     e.integral = integral_cost(e.joint, e.verdict);
     e.servo = files::servo_text(options.joint);
-    if (options.ideal_loop && loop_kind(described) != LoopKind::ideal) {
+    if (options.ideal_loop && !left_out_by_ideal(described).used.empty()) {
         e.described = described.control.structure == Structure::cascade ? with_gains(described) : described;
-        e.described_slides = growth_rate(described) < 0;
+        e.described_growth = growth_rate(described);
     }
     return e;
 }

@@ -42,7 +42,7 @@ struct Evaluated {
     std::optional<IntegralCost> integral;
     std::string servo;
     std::optional<Joint> described;  ///< with the loop that --ideal-loop leaves out
-    bool described_slides = false;
+    double described_growth = missing;
 
     bool decided() const { return verdict.steady.reason == Reason::none; }
     bool open() const { return decided() && is_open(nonlinear); }

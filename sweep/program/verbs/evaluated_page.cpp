@@ -25,9 +25,9 @@ std::filesystem::path write_evaluated(const Evaluated& e, const EvaluateOptions&
     if (const auto chart = gain_chart(e.described ? *e.described : e.summed))
         report.sections.insert(report.sections.begin(), gains_section(e.units(), both, *chart));
     if (e.described) {
-        const bool same = e.described_slides == e.verdict.state_variable.stable;
+        const bool same = (e.described_growth < 0) == e.verdict.state_variable.stable;
         report.alerts.push_back({same ? Headline::Tone::neutral : Headline::Tone::warning,
-                                 left_out_text(loop_use(*e.described), e.described_slides)});
+                                 left_out_text(left_out_by_ideal(*e.described), e.described_growth)});
         report.verdict = of_ideal_loop(report.verdict);
         // what the loop as it is does not do is no clean yes
         if (!same && report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;

@@ -9,11 +9,9 @@ namespace stickslip {
 
 void add_ideal_loop(CLI::App& verb, bool& ideal_loop);
 
-/// To standard error: which keys of the loop the answer is without, and whether the joint as described slides smoothly.
-/// Nothing where the joint has the ideal loop anyway.
-void say_left_out(const Joint& described);
-
-/// Puts the ideal loop in place of the joint's own, and says so.
+/// Puts the ideal loop in place of the joint's own, and says to standard error which keys of the loop the answer is
+/// without, and whether the joint as described slides smoothly. Nothing where the joint has the ideal loop anyway.
 void leave_loop_out(Asked& asked);
+void leave_loop_out(Spec& spec);
 
 }  // namespace stickslip

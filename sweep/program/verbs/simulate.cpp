@@ -12,6 +12,7 @@
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/left_out.h"
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/surroundings_option.h"
@@ -22,6 +23,7 @@
 #include "sweep/study/control_force.h"
 #include "sweep/words/detail_text.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/low_limit_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -41,6 +43,7 @@ struct Options {
     SurroundingsOption surroundings;
     double tolerance = 1e-8;
     std::string reference;
+    bool ideal_loop = false;
 };
 
 /// What acts on the joint from outside, as numbers and for the page.
@@ -91,7 +94,7 @@ void tell_measures(const MotionMeasures& m, Units units, const std::filesystem::
 {
     write_whole(directory / "motion.json", motion_json(m).dump(2) + "\n");
     const auto tell = [&](const char* name, double value, Quantity quantity) {
-        if (is_set(value)) fmt::print("{:<11} {}\n", name, with_unit(value, quantity, units, 4));
+        if (is_set(value)) fmt::print("{:<11} {}\n", name, plain_text(with_unit(value, quantity, units, 4)));
     };
     tell("overshoot:", m.overshoot, Quantity::position);
     tell("settles in:", m.settling_time, Quantity::time);
@@ -113,7 +116,9 @@ MotionMeasures measured(const Trajectory& trajectory, double velocity)
 /// --reference: the record that the joint's controller would have logged.
 int record_joint(const Options& options, const Invocation& invocation)
 {
-    const Joint joint = read_spec_or_joint(options.joint, options.settings).design;
+    auto asked = read_spec_or_joint(options.joint, options.settings);
+    if (options.ideal_loop) leave_loop_out(asked);
+    const Joint& joint = asked.design;
     say_no_sliding(options.joint, options.settings, joint);
     const auto reference = read_reference(options.reference, units_of(joint));
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
@@ -133,7 +138,8 @@ int record_joint(const Options& options, const Invocation& invocation)
 
 int simulate_joint(const Options& options, const Invocation& invocation)
 {
-    const auto asked = read_spec_or_joint(options.joint, options.settings);
+    auto asked = read_spec_or_joint(options.joint, options.settings);
+    if (options.ideal_loop) leave_loop_out(asked);
     const Joint& joint = asked.design;
     say_no_sliding(options.joint, options.settings, joint);
     SimulateOptions simulation;
@@ -155,7 +161,9 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, force, options.directory).string());
     tell_measures(measured(trajectory, commanded_velocity(joint)), units_of(joint), options.directory);
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
-    return trajectory.reason == Reason::none ? exit_done : exit_undecided;
+    if (trajectory.reason == Reason::none) return exit_done;
+    fmt::print("it ends at {} s: {}\n", trajectory.time.back(), plain_text(stop_text(trajectory)));
+    return exit_undecided;
 }
 
 }  // namespace
@@ -178,6 +186,8 @@ void add_simulate(CLI::App& app, Invocation& invocation)
                      "follow this reference instead and write record.csv, which diagnose reads: CSV with time, "
                      "reference_position and, where it has them, reference_velocity and feed_forward")
         ->check(CLI::ExistingFile);
+    verb->add_flag("--ideal-loop", options->ideal_loop,
+                   "the paper's loop: no sampling, dead time, filter, lag or integral");
     verb->add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(between(1e-13, 1e-2))
         ->capture_default_str();

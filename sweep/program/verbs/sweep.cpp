@@ -71,6 +71,7 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
     plan_options.spec = options.spec.empty() ? std::string(embedded_spec()) : self_contained_text(options.spec);
     plan_options.command = options.spec.empty() ? "stickslip sweep" : "stickslip sweep " + shell_word(options.spec);
     if (options.every_point) plan_options.command += " --every-point";
+    if (options.ideal_loop) plan_options.command += " --ideal-loop";
     return plan_options;
 }
 
@@ -107,10 +108,7 @@ int sweep(const Options& options, Invocation& invocation)
     const auto date = timestamp(options.timestamp);
     Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     if (options.every_point) spec.nonlinear.interpolation = 0;
-    if (options.ideal_loop) {
-        say_left_out(design_joint(spec));
-        spec.joint = with_ideal_loop(spec.joint);
-    }
+    if (options.ideal_loop) leave_loop_out(spec);
     choose_charts(spec);
     if (!options.spec.empty()) say_no_sliding(options.spec, {}, design_joint(spec));
 

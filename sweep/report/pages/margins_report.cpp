@@ -99,7 +99,7 @@ Report margins_report(const MarginsAnswer& a)
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};
     if (a.robust_set) section.figures.push_back(robust_figure(a));
     if (a.growth) section.figures.push_back(growth_figure(a));
-    report.sections.push_back(std::move(section));
+    if (a.nearest.decided) report.sections.push_back(std::move(section));
     report.not_checked = {
         "Large disturbances: margins are those of the linear theory.",
         "A boundary beyond a factor of ten, or a stable pocket narrower than the steps along a direction."};

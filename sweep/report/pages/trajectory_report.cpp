@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "analysis/stability/linear_joint.h"
+#include "sweep/report/figures/thinned_line.h"
 #include "sweep/report/pages/ending.h"
 #include "sweep/words/heading_text.h"
 #include "sweep/words/line_figure.h"
@@ -80,7 +81,7 @@ LineChart chart_of(const char* title, AxisName x_label, AxisName y_label, std::v
     chart.title = title;
     chart.x_label = std::move(x_label);
     chart.y_label = std::move(y_label);
-    chart.lines = std::move(lines);
+    for (auto& line : lines) chart.lines.push_back(thinned(std::move(line)));
     return chart;
 }
 
@@ -121,7 +122,8 @@ Figure path_figure(const Trajectory& t, const std::vector<double>& force, Units 
     std::string caption = "Position of the link, and the path of steady sliding at the commanded velocity.";
     if (!force.empty()) {
         chart.below_label = axis_label("control force u", Quantity::effort, units);
-        chart.below = {{"control force", t.time, force}};
+        auto below = thinned({"control force", t.time, force});
+        chart.below = {{"control force", std::move(below.x), std::move(below.y)}};
         caption += " Below, the force of the loop: u = f_{ss}(V_{0}) − k_{p} x − k_{v} (V − V_{0}).";
     }
     Figure figure;
@@ -176,7 +178,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
                       " friction · V_{0} = " + with_unit(t.commanded_velocity, Quantity::velocity, units) + " · " +
                       gains_text(joint);
     if (t.time.empty()) {
-        report.verdict = no_motion_text(joint, t.reason);
+        report.verdict = no_motion_text(joint, t);
         report.tone = Headline::Tone::warning;
         return report;
     }
@@ -189,7 +191,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         report.headlines = ending_headlines(joint, verdict);
     }
     if (t.reason != Reason::none)
-        report.alerts.push_back({Headline::Tone::warning, "The simulation stops: " + reason_text(t.reason) + "."});
+        report.alerts.push_back({Headline::Tone::warning, "The simulation stops: " + stop_text(t) + "."});
     if (t.used_fallback)
         report.alerts.push_back({Headline::Tone::neutral, "CVODE failed; Rodas5P finished the simulation."});
     Section section{"motion", "Motion", "", {}, {}};
@@ -220,8 +222,9 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
     if (forced) outcome.title = "Where the stated disturbance alone ends";
     report.sections.push_back(std::move(outcome));
-    report.not_checked = {"Other and larger disturbances: one motion is one example.",
-                          "Sampling, saturation and quantisation of a digital loop."};
+    report.not_checked = {"Other and larger disturbances: one motion is one example."};
+    if (verdict.path != DecisionPath::ticks)
+        report.not_checked.push_back("Sampling, saturation and quantisation of a digital loop.");
     return report;
 }
 

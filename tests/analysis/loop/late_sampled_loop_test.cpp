@@ -256,3 +256,41 @@ TEST_CASE("No window contains a gain that grows, however short the dead time")
     REQUIRE(crossings.crossings.size() > 12);
     CHECK(stable_gains(loop, crossings, 1e3).empty());
 }
+
+TEST_CASE("What is added to a command of a sampled loop around late friction is answered as a motion stepped in time")
+{
+    constexpr double lag = 2.4e-3, T = 1e-3, slope = -30, k_p = 4e4, k_v = 120;
+    constexpr int parts = 400, lag_parts = 960, ticks = 1500;
+    const Joint joint = lagging(slope, lag, k_p, k_v);
+    CHECK_FALSE(LoopResponse::of(joint, Theory::state_variable));  // of forces between ticks there is no map
+    const auto response = LoopResponse::of(joint, Theory::state_variable, LoopResponse::Input::command);
+    REQUIRE(response);
+    REQUIRE(response->growth() < 0);
+    // one newton more in the first command; the late speed by the trapezoidal rule
+    constexpr double h = T / parts;
+    std::vector<double> at_ticks, commands;
+    std::deque<double> past(lag_parts + 1, 0.0);  // speeds from now back to a lag ago
+    double x = 0, v = 0, before = 0;
+    for (int k = 0; k < ticks; ++k) {
+        const double u = (k == 0 ? 1 : 0) - k_p * x - k_v * (x - before) / T;
+        before = x;
+        at_ticks.push_back(x), commands.push_back(u);
+        for (int i = 0; i < parts; ++i) {
+            const double late = 0.5 * (past[lag_parts] + past[lag_parts - 1]);
+            const double next = v + h * (u - slope * late);
+            x += 0.5 * h * (v + next);
+            v = next;
+            past.push_front(v), past.pop_back();
+        }
+    }
+    for (const double omega : {3.0, 150.0, 240.0, 2000.0}) {
+        std::complex<double> moved = 0, commanded = 0;
+        for (int k = 0; k < ticks; ++k) {
+            const auto turn = std::polar(1.0, -omega * T * k);
+            moved += at_ticks[static_cast<std::size_t>(k)] * turn;
+            commanded += commands[static_cast<std::size_t>(k)] * turn;
+        }
+        CHECK(std::abs(response->by_command(omega) / moved - 1.0) < 1e-5);
+        CHECK(std::abs(response->sensitivity(omega) / commanded - 1.0) < 1e-5);
+    }
+}

@@ -154,8 +154,9 @@ TEST_CASE("a plan comes back from JSON with every bit, and an edited one is foun
 
 TEST_CASE("every unit leads back to a quantity with that unit")
 {
-    for (const Units units : {Units(), Units(Motion::revolute)})
-        for (int i = 0; i <= static_cast<int>(Quantity::temperature); ++i) {
+    for (const Units units : {Units(), Units(Motion::revolute), Units(Motion::prismatic, Command::voltage),
+                              Units(Motion::revolute, Command::voltage), Units(Motion::revolute, Command::duty)})
+        for (int i = 0; i <= static_cast<int>(Quantity::cubic_stiffness); ++i) {
             const auto unit = unit_of(static_cast<Quantity>(i), units);
             CHECK(unit_of(quantity_in(unit, units), units) == unit);
         }

@@ -136,6 +136,27 @@ PointResult real_point(const Joint& joint, double commanded)
     return point;
 }
 
+namespace {
+
+/// The simple theory of the same loop.
+void take_velocity_only(const Joint& joint, const LinearJoint& linear, double V, VelocityOnlyVerdict& simple)
+{
+    const auto curve = velocity_only(linear);
+    if (const auto loop = real_loop(joint, curve, V, TurnedGain::all)) {
+        const double rate = growth(*loop);
+        simple.stable = rate < 0;
+        simple.neutral = rate == 0;
+    }
+    if (const auto turned = real_loop(joint, curve, V, TurnedGain::k_v)) {
+        simple.stable_k_v = turned_gains(*turned).stable;
+        // of a motor that is wired the other way round no gain is the least
+        if (!simple.stable_k_v.empty() && simple.stable_k_v.front().low >= 0)
+            simple.k_v_min = simple.stable_k_v.front().low;
+    }
+}
+
+}  // namespace
+
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
 {
     const double V = sliding_velocity(joint, verdict.steady.velocity);
@@ -185,18 +206,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     memory.stable = memory.spectral_abscissa < 0;
     memory.neutral = memory.spectral_abscissa == 0;
     if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) take_gains(memory, turned_gains(*turned));
-    const auto curve = velocity_only(linear);
-    if (const auto loop = real_loop(joint, curve, V, TurnedGain::all)) {
-        const double rate = growth(*loop);
-        simple.stable = rate < 0;
-        simple.neutral = rate == 0;
-    }
-    if (const auto turned = real_loop(joint, curve, V, TurnedGain::k_v)) {
-        simple.stable_k_v = turned_gains(*turned).stable;
-        // of a motor that is wired the other way round no gain is the least
-        if (!simple.stable_k_v.empty() && simple.stable_k_v.front().low >= 0)
-            simple.k_v_min = simple.stable_k_v.front().low;
-    }
+    take_velocity_only(joint, linear, V, simple);
     return verdict;
 }
 

@@ -170,7 +170,7 @@ NearestOptions affordable_search(const Joint& joint)
     if (steady.reason != Reason::none) return options;
     const auto linear = linear_joint(joint, steady.velocity);
     if (!linear.rational())
-        options.global = false, options.rays = 12, options.local = 8;
+        options.global = false, options.rays = 12, options.local = 8, options.precision = 1e-4;
     else if (linear.bodies > 1)
         options.global = false, options.rays = 24, options.local = 40;
     const double effort = search_effort();

@@ -58,6 +58,28 @@ std::optional<GainChart> map_of_choices(const DesignAnswer& answer, const Joint&
     return gain_chart_over(best, {k_p.low / beside, k_p.high * beside}, {k_v.low / beside, k_v.high * beside});
 }
 
+/// design.json, the joint file with the new gains, and the page.
+void write_files(const DesignAnswer& answer, const Joint& described, const nlohmann::ordered_json& json,
+                 const Options& options)
+{
+    write_whole(std::filesystem::path(options.directory) / "design.json", json.dump(1) + "\n");
+    std::vector<Snippet> snippets;
+    if (answer.design.feasible) {
+        // gains of the ideal loop go into the file as it is
+        const Joint before = described.control.structure == Structure::pid ? described : answer.joint;
+        Joint best = before;
+        // as many digits as the page prints, and two more
+        const auto typed = [](double gain) { return std::stod(fmt::format("{:.6g}", gain)); };
+        best.control.k_p = typed(answer.design.best.k_p), best.control.k_v = typed(answer.design.best.k_v);
+        const auto text = joint_text(best);
+        write_whole(std::filesystem::path(options.directory) / "designed-joint.toml", text);
+        snippets = {{"For the joint file", changed_lines(joint_text(before), text), ""},
+                    {"The whole joint file with these gains", text, "designed-joint.toml"}};
+    }
+    const auto page = write_report(design_report(answer, std::move(snippets)), options.directory);
+    if (!options.json) fmt::print("\nreport: {}\n", page.string());
+}
+
 int design(const Options& options, const Invocation& invocation)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
@@ -108,25 +130,33 @@ int design(const Options& options, const Invocation& invocation)
                            c.motion_noise, c.effort_noise);
         }
     }
-    if (!options.directory.empty()) {
-        write_whole(std::filesystem::path(options.directory) / "design.json", json.dump(1) + "\n");
-        std::vector<Snippet> snippets;
-        if (answer.design.feasible) {
-            // gains of the ideal loop go into the file as it is
-            const Joint before = described.control.structure == Structure::pid ? described : answer.joint;
-            Joint best = before;
-            // as many digits as the page prints, and two more
-            const auto typed = [](double gain) { return std::stod(fmt::format("{:.6g}", gain)); };
-            best.control.k_p = typed(answer.design.best.k_p), best.control.k_v = typed(answer.design.best.k_v);
-            const auto text = joint_text(best);
-            write_whole(std::filesystem::path(options.directory) / "designed-joint.toml", text);
-            snippets = {{"For the joint file", changed_lines(joint_text(before), text), ""},
-                        {"The whole joint file with these gains", text, "designed-joint.toml"}};
-        }
-        const auto page = write_report(design_report(answer, std::move(snippets)), options.directory);
-        if (!options.json) fmt::print("\nreport: {}\n", page.string());
-    }
+    if (!options.directory.empty()) write_files(answer, described, json, options);
     return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_check_failed;
+}
+
+void add_set_point_options(CLI::App& verb, CLI::Option& holds, SetPointOptions& held)
+{
+    verb.add_option("--over", held.over,
+                    "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")
+        ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push", "control.dither"}))
+        ->needs(&holds);
+    verb.add_option("--friction-margin", held.friction_margin,
+                    "of a set point: uncertainty of static and kinetic friction, each, as a share")
+        ->check(between(0, 0.99))
+        ->capture_default_str()
+        ->needs(&holds);
+    verb.add_option("--integral-gain", held.integral_gain,
+                    "of a set point: k_i of the ways that integrate; default: the joint's")
+        ->check(positive_number())
+        ->needs(&holds);
+    verb.add_option(
+            "--push-speed", held.push_speed,
+            "of a set point: velocity over which the compensation fades; default: control.feed_forward.coulomb_speed")
+        ->check(positive_number())
+        ->needs(&holds);
+    verb.add_option("--rest-error", held.rest_error, "of a set point: largest error at rest that is allowed")
+        ->check(not_negative_number())
+        ->needs(&holds);
 }
 
 }  // namespace
@@ -156,28 +186,7 @@ void add_design(CLI::App& app, Invocation& invocation)
                 "--set-point", options->holds,
                 "instead: hold a set point without hunting, with k_i, dead zone, friction compensation and dither")
             ->excludes(ideal);
-    auto& held = options->set_point;
-    verb->add_option("--over", held.over,
-                     "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")
-        ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push", "control.dither"}))
-        ->needs(holds);
-    verb->add_option("--friction-margin", held.friction_margin,
-                     "of a set point: uncertainty of static and kinetic friction, each, as a share")
-        ->check(between(0, 0.99))
-        ->capture_default_str()
-        ->needs(holds);
-    verb->add_option("--integral-gain", held.integral_gain,
-                     "of a set point: k_i of the ways that integrate; default: the joint's")
-        ->check(positive_number())
-        ->needs(holds);
-    verb->add_option(
-            "--push-speed", held.push_speed,
-            "of a set point: velocity over which the compensation fades; default: control.feed_forward.coulomb_speed")
-        ->check(positive_number())
-        ->needs(holds);
-    verb->add_option("--rest-error", held.rest_error, "of a set point: largest error at rest that is allowed")
-        ->check(not_negative_number())
-        ->needs(holds);
+    add_set_point_options(*verb, *holds, options->set_point);
     verb->footer(
         "Examples:\n"
         "  stickslip design examples/04-design/spec.toml -o out\n"

@@ -162,6 +162,14 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const Ax
     return section;
 }
 
+std::vector<std::string> not_checked(const NonlinearVerdict& verdict)
+{
+    std::vector<std::string> all{"Other and larger disturbances: one motion is one example."};
+    if (verdict.path != DecisionPath::ticks)
+        all.emplace_back("Sampling, saturation and quantisation of a digital loop.");
+    return all;
+}
+
 }  // namespace
 
 Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
@@ -222,9 +230,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};
     if (forced) outcome.title = "Where the stated disturbance alone ends";
     report.sections.push_back(std::move(outcome));
-    report.not_checked = {"Other and larger disturbances: one motion is one example."};
-    if (verdict.path != DecisionPath::ticks)
-        report.not_checked.push_back("Sampling, saturation and quantisation of a digital loop.");
+    report.not_checked = not_checked(verdict);
     return report;
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr int velocity_steps = 12;      ///< a decade, when the least velocity is looked for
 constexpr double velocity_decades = 4;  ///< below V_0, as far as it is looked for without a demand
 constexpr double beyond_demand = 1.25;  ///< how far a margin is looked for, per demanded one
+constexpr double near = 0.7;            ///< where verdicts are counts: margins are looked for up to a factor of two
 constexpr double rough = 1e-4;          ///< of the distances that a search over directions compares
 constexpr double overlooking = 0.99;    ///< a margin that turns out less than that, per the one thought of, was wrong
 
@@ -35,6 +36,7 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     cost_ = counts                                ? VerdictCost::counts
             : loop_kind(joint) != LoopKind::ideal ? VerdictCost::eigenvalues
                                                   : VerdictCost::small;
+    reach_ = reach_for(requirements.margin);
     if (cost_ != VerdictCost::small) learn_directions();
 }
 
@@ -65,7 +67,7 @@ NearestOptions Judge::affordable() const
 
 double Judge::reach_for(double margin) const
 {
-    return std::max(default_reach(coordinates_), beyond_demand * margin);
+    return std::max(cost_ == VerdictCost::counts ? near : default_reach(coordinates_), beyond_demand * margin);
 }
 
 Judge Judge::with_margin(double margin) const

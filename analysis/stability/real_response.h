@@ -38,6 +38,8 @@ class LoopResponse {
     const std::vector<std::complex<double>>& roots() const { return roots_; }
     /// max Re s of the loop, which may be further right than the roots that were found.
     double growth() const { return growth_; }
+    /// Whether each frequency sums over aliases, which takes a hundred times as long.
+    bool sums_aliases() const { return opened_.has_value(); }
     /// Time between samples; 0 of a continuous loop.
     double period() const { return period_; }
 

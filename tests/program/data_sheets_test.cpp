@@ -54,22 +54,6 @@ sigma0 = 4e5
 coulomb = 2.0
 )";
 
-/// A slideway whose friction follows its speed late, under a loop of 100 Hz.
-const std::string slideway = R"([joint]
-motion = "prismatic"
-inertia = 120
-[control]
-k_p = 4e5
-k_v = 9000
-V0 = "20 mm/s"
-period = 0.01
-velocity_estimate = { form = "backward-difference" }
-[friction]
-law = "time-lag"
-lag = "8 ms"
-curve = { law = "stribeck", c0 = 80, c1 = 600, c2 = 6, c3 = "3 mm/s" }
-)";
-
 /// The reference contact with a normal force that moves with it.
 const std::string pressed = R"([joint]
 motion = "prismatic"
@@ -165,20 +149,6 @@ TEST_CASE("a long motion in short ticks is simulated and drawn to its end", "[pr
     const auto rows = program::shell("wc -l < '" + (folder / "out/trajectory.csv") + "'").output;
     CHECK(std::stoul(rows) < 300'010);
     CHECK(std::filesystem::file_size(folder / "out/report.html") < 6'000'000);
-}
-
-TEST_CASE("gains around friction that answers late are designed in a sampled loop", "[program][sheets][slow]")
-{
-    Folder folder;
-    const auto run = stickslip("design '" + folder.write("joint.toml", slideway) +
-                               "' --require 'position_noise=1 um' --require front_points=2 --effort 0.3 --json");
-    INFO(run.output);
-    REQUIRE(run.exit_code == 0);
-    const auto design = Json::parse(run.output);
-    CHECK(design["feasible"] == true);
-    CHECK(design["best"]["motion_noise"].get<double>() > 0);
-    CHECK(design["best"]["effort_noise"].get<double>() > 0);
-    CHECK(design["best"]["margin"].get<double>() >= 0.05 * (1 - 1e-5));
 }
 
 TEST_CASE("a normal force that moves with the joint is refused by name where motions are simulated",

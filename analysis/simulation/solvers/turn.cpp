@@ -70,6 +70,8 @@ Turn SlidingMotion::finished(Turn turn, Turn::End end) const
 {
     turn.end = end;
     turn.t1 = t_;
+    // what rounding leaves of a rest is no motion backwards
+    if (turn.velocity_min < 0 && turn.velocity_min > -rest_speed * flow_->commanded_velocity()) turn.velocity_min = 0;
     turn.state = y_;
     turn.rest_time = rest_time_;
     turn.sticks = sticks_;

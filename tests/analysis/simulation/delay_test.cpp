@@ -148,3 +148,11 @@ TEST_CASE("a phase of sticking that outlasts ten thousand swings is no reason to
     CHECK(verdict.outcome == Outcome::stick_slip);
     CHECK(verdict.stick_fraction == Approx(1).epsilon(1e-3));
 }
+
+TEST_CASE("what rounding leaves of a rest is no motion backwards", "[nonlinear]")
+{
+    const Joint joint = lag_joint(1, 60e3, 10, 1e-3, 1e-3, {60, 10, 6, 2e-3, 2});
+    const NonlinearVerdict v = nonlinear_verdict(joint, {});
+    REQUIRE(v.outcome == Outcome::stick_slip);
+    CHECK(v.velocity_min == 0);
+}

@@ -1,8 +1,11 @@
 #include "analysis/diagnosis/audit/noise.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/statistics.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stickslip::gap {
@@ -32,6 +35,62 @@ double noise_of(const std::vector<double>& y)
     if (spread == 0) return rms_below(infinity) / std::sqrt(20.0);
     for (int i = 0; i < 5; ++i) spread = rms_below(far * spread);
     return spread / std::sqrt(20.0);
+}
+
+namespace {
+
+constexpr std::array<double, 5> strides{1, 2, 3, 4, 6};  ///< rows between readings that are compared
+
+/// Sum of the squares of the third difference's coefficients, weighed by the correlation of noise that keeps this part
+/// of itself over a stride: var(Δ³y) = σ² (20 − 30 a + 12 a² − 2 a³).
+double share_in_third(double kept)
+{
+    return 20 - kept * (30 - kept * (12 - 2 * kept));
+}
+
+/// σ² of noise that keeps a part of itself from row to row, and the RMS of what it leaves, relative, of the noise seen
+/// at each stride. Smooth motion adds its jerk, which grows with the sixth power of the stride.
+struct Memory {
+    double variance = 0, left = infinity;
+};
+Memory with_memory(const std::array<double, strides.size()>& seen, double kept)
+{
+    Eigen::Matrix<double, strides.size(), 2> part;
+    for (std::size_t i = 0; i < strides.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        part(row, 0) = share_in_third(std::pow(kept, strides[i])) / 20 / (seen[i] * seen[i]);
+        part(row, 1) = std::pow(strides[i], 6) / (seen[i] * seen[i]);
+    }
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(part.rows());
+    Eigen::Vector2d found = part.colPivHouseholderQr().solve(one);
+    if (found[1] < 0) found = {part.col(0).sum() / part.col(0).squaredNorm(), 0};
+    if (!(found[0] > 0)) return {};
+    return {found[0], std::sqrt((part * found - one).squaredNorm() / static_cast<double>(strides.size()))};
+}
+
+}  // namespace
+
+double noise_with_memory(const std::vector<double>& y)
+{
+    constexpr std::size_t fewest = 600;  // numerical: a hundred readings at the widest stride
+    const double white = noise_of(y);
+    std::array<double, strides.size()> seen{};
+    for (std::size_t i = 0; i < strides.size(); ++i) {
+        std::vector<double> some;
+        const auto stride = static_cast<std::size_t>(strides[i]);
+        for (std::size_t k = 0; k < y.size(); k += stride) some.push_back(y[k]);
+        seen[i] = noise_of(some);
+        if (!(seen[i] > 0)) return white;
+    }
+    if (y.size() < fewest) return white;
+    const Memory none = with_memory(seen, 0);
+    Memory best = none;
+    constexpr int steps = 20;  // numerical: of the part that noise keeps
+    for (int i = 1; i < steps; ++i)
+        if (const auto m = with_memory(seen, static_cast<double>(i) / steps); m.left < best.left) best = m;
+    const bool coloured =
+        none.left > policy::noise_not_white && best.left < policy::noise_with_memory_leaves * none.left;
+    return coloured ? std::max(white, std::sqrt(best.variance)) : white;
 }
 
 double span_of(const std::vector<double>& values)

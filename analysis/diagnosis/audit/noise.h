@@ -11,6 +11,10 @@ namespace stickslip::gap {
 /// that is smooth over four samples.
 double noise_of(const std::vector<double>& y);
 
+/// Standard deviation of noise that may have a memory, as behind a filter in the encoder: third differences of every
+/// second, third, … reading show more of it. Where they show the same, as noise_of().
+double noise_with_memory(const std::vector<double>& y);
+
 /// Standard deviation of what a sampled controller makes of white noise of its readings.
 double noise_of_command(const Control& control, double reading);
 

@@ -37,6 +37,34 @@ TEST_CASE("noise estimated from rounded readings is that before rounding", "[gap
     CHECK(c.sigma == Approx(std::hypot(m.noise, m.quantum / std::sqrt(12.0))).epsilon(0.05));
 }
 
+TEST_CASE("noise with a memory is not taken for the little that it does from row to row", "[gap]")
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    const auto readings = [&](double kept, double motion) {
+        std::vector<double> y;
+        double noise = 0;
+        for (int k = 0; k < 12000; ++k) {
+            noise = kept * noise + std::sqrt(1 - kept * kept) * normal(random);
+            y.push_back(2e-5 * noise + motion * std::sin(0.02 * k));
+        }
+        return y;
+    };
+    // how long the memory is shows at six rows no better than to a third of the noise; from row to row a quarter is
+    // seen
+    for (const double motion : {0.0, 0.05})  // whose jerk is, at six rows, four times the noise
+        for (const double kept : {0.3, 0.8, 0.9}) {
+            const auto y = readings(kept, motion);
+            CAPTURE(motion, kept, noise_of(y));
+            CHECK(noise_with_memory(y) == Approx(2e-5).epsilon(0.33));
+        }
+    CHECK(noise_of(readings(0.9, 0)) < 0.3 * 2e-5);
+    for (const double motion : {0.0, 0.5}) {
+        const auto white = readings(0, motion);
+        CHECK(noise_with_memory(white) == Approx(noise_of(white)));
+    }
+}
+
 TEST_CASE("noise of a measured effort is that of its sensor, not what the encoder puts into the command", "[gap]")
 {
     test::Machine m;

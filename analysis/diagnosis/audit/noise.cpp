@@ -88,8 +88,9 @@ double noise_with_memory(const std::vector<double>& y)
     constexpr int steps = 20;  // numerical: of the part that noise keeps
     for (int i = 1; i < steps; ++i)
         if (const auto m = with_memory(seen, static_cast<double>(i) / steps); m.left < best.left) best = m;
-    const bool coloured =
-        none.left > policy::noise_not_white && best.left < policy::noise_with_memory_leaves * none.left;
+    // motion that is no jerk alone fits neither: with its memory the noise has to fit as white noise does
+    const bool coloured = none.left > policy::noise_not_white &&
+                          best.left < std::min(policy::noise_not_white, policy::noise_with_memory_leaves * none.left);
     return coloured ? std::max(white, std::sqrt(best.variance)) : white;
 }
 

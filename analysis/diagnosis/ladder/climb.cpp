@@ -111,9 +111,9 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
 {
     FittedSet set = corrected_;
     const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
-    const auto flexed = [&](FittedSet found) {
+    const auto in_best_forms = [&](FittedSet found) {
         const auto forms = found.causes.forms;
-        found = climber_->flexed(std::move(found));
+        found = climber_->flexed(climber_->reformed(std::move(found)));
         if (found.causes.forms != forms) settle(found);
         return found;
     };
@@ -142,7 +142,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
                 rivals.push_back(t);
         set = rivals[0];
         settle(set);
-        set = flexed(climber_->compared(rivals));
+        set = in_best_forms(climber_->compared(rivals));
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
             FittedSet less = climber_->without(set, i);
@@ -157,7 +157,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
         if (better == others.end()) continue;
         settle(*better);
-        set = flexed(climber_->compared({*better}));
+        set = in_best_forms(climber_->compared({*better}));
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return set;

@@ -51,6 +51,10 @@ class Climber {
     /// they bend what is fitted with them.
     FittedSet freed(FittedSet set);
 
+    /// The set with its causes in other forms of theirs, where these predict better: the form that came nearest alone
+    /// had to stand in for what else acts, and what it still says of that would be left beside the others.
+    FittedSet reformed(FittedSet set);
+
     /// The set with the flexible members of its causes' families, where these predict so much better that they would
     /// earn a rung: what only differs in shape from the catalogue's formula belongs to the cause, not to another one.
     FittedSet flexed(FittedSet set);

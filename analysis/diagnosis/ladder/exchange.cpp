@@ -80,6 +80,17 @@ FittedSet Climber::freed(FittedSet set)
     return set;
 }
 
+FittedSet Climber::reformed(FittedSet set)
+{
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const auto starts = in_other_forms(set, *set.causes.effects[i]);
+        if (starts.empty()) continue;
+        FittedSet other = judged(starts)[0];
+        if (other.plausible && !other.correction && other.misfit < set.misfit) set = std::move(other);
+    }
+    return set;
+}
+
 FittedSet Climber::flexed(FittedSet set)
 {
     for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {

@@ -43,7 +43,8 @@ void add_divided_mass(Effect& e)
     for (double stiffness : {4.0, 20.0, 100.0, 1000.0})
         for (double motor : {0.3, 0.65})
             for (double link_friction : {0.05, 0.8})
-                hardening.seeds.push_back({motor, stiffness, link_friction, 0.05, 1});
+                for (double effort : {0.1, 0.4, 1.5})
+                    hardening.seeds.push_back({motor, stiffness, link_friction, 0.05, effort});
     e.forms.push_back(hardening);
     // a peak comes from a seal or a gear, which may be all on the motor's side
     f.name = "divided-mass-peak-on-motor";

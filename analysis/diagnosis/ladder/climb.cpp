@@ -12,6 +12,11 @@ namespace {
 
 constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tried as two rungs
 
+/// Against a floor as high as the whole gap the prior weighs too much. What the first fit leaves is a lower floor,
+/// which lets the next one go further, until both agree.
+constexpr int most_rounds_of_floor = 5;
+constexpr double settled_floor = 0.02;  // of mean log square
+
 std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
 {
     std::vector<Start> known;
@@ -69,28 +74,35 @@ LadderSearch::~LadderSearch() = default;
 
 void LadderSearch::correct(FittedSet& set)
 {
-    // Against a floor as high as the whole gap the prior weighs too much. What the first fit leaves is a lower floor,
-    // which lets the next one go further, until both agree.
-    constexpr int most_rounds = 5;
-    constexpr double settled = 0.02;  // of mean log square
     Eigen::VectorXd x = fitter_->start({}, set, {});
     double before = infinity;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds_of_floor; ++round) {
         x = fitter_->refit({}, x).x;
-        const auto model = corrections_->beside({});
-        const auto si = in_si(model.candidate, x, scales_);
-        const double now = data_.raise_floor(model.candidate, si);
-        fitter_->renew();
-        if (!(now < before - settled)) break;
-        before = now;
+        if (const double now = lower_floor(corrections_->beside({}), x); now < before - settled_floor)
+            before = now;
+        else
+            break;
     }
     set = fitter_->fit({}, x);
 }
 
-void LadderSearch::settle(const FittedSet& set)
+double LadderSearch::lower_floor(const Corrected& model, const Eigen::VectorXd& x)
 {
-    data_.raise_floor(set.model.candidate, in_si(set.model.candidate, set.fit.x, scales_));
+    const double left = data_.raise_floor(model.candidate, in_si(model.candidate, x, scales_));
     fitter_->renew();
+    return left;
+}
+
+FittedSet LadderSearch::settled(FittedSet set)
+{
+    double before = infinity;
+    for (int round = 0; round < most_rounds_of_floor; ++round) {
+        const double now = lower_floor(set.model, set.fit.x);
+        if (!(now < before - settled_floor)) break;
+        before = now;
+        set = climber_->compared({set});
+    }
+    return set;
 }
 
 Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise)
@@ -114,8 +126,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
     const auto in_best_forms = [&](FittedSet found) {
         const auto forms = found.causes.forms;
         found = climber_->flexed(climber_->reformed(std::move(found)));
-        if (found.causes.forms != forms) settle(found);
-        return found;
+        return found.causes.forms == forms ? found : settled(std::move(found));
     };
     const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
     for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
@@ -141,7 +152,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
                 t.misfit < next->misfit + margin_of(*next, rules_))
                 rivals.push_back(t);
         set = rivals[0];
-        settle(set);
+        lower_floor(set.model, set.fit.x);
         set = in_best_forms(climber_->compared(rivals));
         // exchange: a cause that only stood in for what came later goes, and makes room
         for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
@@ -156,8 +167,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         const auto better = std::ranges::find_if(
             others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
         if (better == others.end()) continue;
-        settle(*better);
-        set = in_best_forms(climber_->compared({*better}));
+        set = in_best_forms(settled(*better));
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return set;

@@ -41,6 +41,8 @@ std::vector<Start> Climber::looks(const FittedSet& below)
         if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
         looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
         looks.back().causes.records = single.records;
+        for (auto& other : other_forms(below.causes, *single.effects[0], single.forms[0], single.records))
+            looks.push_back(std::move(other));
     }
     for (auto& look : divided_anew(below)) looks.push_back(std::move(look));
     parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
@@ -93,22 +95,27 @@ std::vector<FittedSet> Climber::judged(const std::vector<Start>& starts)
 }
 
 /// Not of divided masses, which cost ten times as much, and not where a form has numbers of its own in every record.
+std::vector<Start> Climber::other_forms(const Candidate& below, const Effect& effect, const EffectForm* than,
+                                        std::size_t records) const
+{
+    std::vector<Start> starts;
+    for (const auto& form : effect.forms) {
+        const Candidate alone{{&effect}, {&form}, records};
+        if (&form == than || form.own > 0 || two_mass_edit(alone) || !alone.applies(fitter_.joint())) continue;
+        starts.push_back({below, &effect, &form});
+        starts.back().causes.records = records;
+    }
+    return starts;
+}
+
 std::vector<Start> Climber::in_other_forms(const FittedSet& set, const Effect& effect) const
 {
     const auto& effects = set.causes.effects;
     const auto member = static_cast<std::size_t>(std::ranges::find(effects, &effect) - effects.begin());
     const FittedSet below = unfitted_without(set, member);
-    std::vector<Start> starts;
-    for (const auto& form : effect.forms) {
-        const Candidate alone{{&effect}, {&form}, set.causes.records};
-        if (&form == set.causes.forms[member] || form.own > 0 || two_mass_edit(alone) ||
-            !alone.applies(fitter_.joint()))
-            continue;
-        Start start{below.causes, &effect, &form};
-        start.causes.records = set.causes.records;
-        fitter_.look(start, below);
-        if (start.x0.size() > 0) starts.push_back(std::move(start));
-    }
+    auto starts = other_forms(below.causes, effect, set.causes.forms[member], set.causes.records);
+    for (auto& start : starts) fitter_.look(start, below);
+    std::erase_if(starts, [](const Start& s) { return s.x0.size() == 0; });
     return starts;
 }
 

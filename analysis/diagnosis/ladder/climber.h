@@ -81,6 +81,9 @@ class Climber {
     std::vector<Start> divided_anew(const FittedSet& below) const;
     /// Misfit of a set with the number that this effect changes as documented, if a correction of it is in the set.
     double misfit_as_documented(const FittedSet& set, const Effect& effect) const;
+    /// On top of these causes, before a first look.
+    std::vector<Start> other_forms(const Candidate& below, const Effect& effect, const EffectForm* than,
+                                   std::size_t records) const;
     std::vector<Start> in_other_forms(const FittedSet& set, const Effect& effect) const;
     /// Where a set may start with the flexible member of one of its causes: from the shape it has, and, of a wave whose
     /// second harmonic may have been taken for the first, from a wave of twice the length.

@@ -142,7 +142,7 @@ void LadderSearch::find_small_terms(std::vector<Start>& looks)
     const auto numbers = models[0].numbers;
     add_small_terms(*corrections_, data_, scales_, rules_, nearest.causes, nearest.x0, parallel_);
     if (corrections_->beside(nearest.causes).numbers == numbers) {
-        settle(corrected_);
+        lower_floor(corrected_.model, corrected_.fit.x);
         return;
     }
     for (std::size_t i = 0; i < looks.size(); ++i)

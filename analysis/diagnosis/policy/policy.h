@@ -41,8 +41,9 @@ inline constexpr std::array physical_ranges{
                   "a slip below the encoder resolution is invisible: such an effect depends on the time at rest"},
     PhysicalRange{"periodic-disturbance", "frequency", 2, 1e9, Per::period_of_record,
                   "less than two periods are a drift, not a period"},
-    PhysicalRange{"cogging", "periods", 1.5, 1e9, Per::period_of_travel,
-                  "a wave that does not repeat within the travel is a slope or gravity"},
+    PhysicalRange{"cogging", "periods", 1, 1e9, Per::period_of_travel,
+                  "a wave that does not repeat within the travel is a slope or gravity: what wants fewer periods "
+                  "stands at this bound"},
     PhysicalRange{"position-dependent-friction", "periods", 1, 1e9, Per::period_of_travel,
                   "a wave that does not repeat within the travel is a trend"},
 };

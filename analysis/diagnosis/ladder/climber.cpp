@@ -5,7 +5,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t near = 3, dear_looks = 6;  // singles, best first
+constexpr std::size_t near = 3;  // singles, best first
 
 /// Whether the second is worse in no fold by so much that they are distinguished there, nor by a good part of what it
 /// gains: a limit that one step alone reaches does nothing in the others.
@@ -30,17 +30,18 @@ bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& r
 std::vector<Start> Climber::looks(const FittedSet& below)
 {
     std::vector<Start> looks;
-    // divided masses cost ten times as much: beside another cause only those that come near alone, and beside them
-    // only what does. With the document's numbers as they are anything that mends those comes nearer: the first
-    // rung looks at all
-    const std::size_t most = two_mass_edit(below.causes) ? dear_looks : rules_.first_look;
-    for (std::size_t i = 0; i < singles_.size() && looks.size() < most; ++i) {
+    // divided masses cost ten times as much to judge: beside another cause only those that come near alone. With the
+    // document's numbers as they are anything that mends those comes nearer: the first rung looks at all
+    const auto& in = below.causes.effects;
+    std::size_t causes = 0;
+    for (std::size_t i = 0; i < singles_.size() && causes < rules_.first_look; ++i) {
         const Candidate& single = singles_[i].candidate;
-        const auto& in = below.causes.effects;
         const bool too_dear = two_mass_edit(single) && i >= near && !in.empty();
-        if (std::find(in.begin(), in.end(), single.effects[0]) != in.end() || too_dear) continue;
+        if (std::ranges::count(in, single.effects[0]) > 0 || too_dear) continue;
+        ++causes;
         looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
         looks.back().causes.records = single.records;
+        if (two_mass_edit(below.causes)) continue;
         for (auto& other : other_forms(below.causes, *single.effects[0], single.forms[0], single.records))
             looks.push_back(std::move(other));
     }

@@ -266,6 +266,24 @@ TEST_CASE("a cogging of another shape than a sine keeps its name, with its secon
     CHECK(pure.ladder.last().causes.forms[0] == &effect_named("cogging")->forms[0]);
 }
 
+TEST_CASE("a cogging of little more than one period in the travel is found, with numbers that its own floor allows",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.inertia = 1.2 * 0.91, m.gravity = 10 * 0.92;
+    m.cogging = 2.4, m.second = 0.45, m.waves = 45;  // travel: 0.17 to 0.19 m
+    Joint joint = test::nominal_joint();
+    joint.load.gravity_amplitude = 10;
+    const Climbed c(m, joint, {"cogging", "gravity", "viscous"});
+    REQUIRE(c.ladder.rungs.size() == 1);
+    const FittedSet& set = c.ladder.last();
+    REQUIRE(set.causes.effects == std::vector<const Effect*>{effect_named("cogging")});
+    const auto si = in_si(set.causes, set.of_causes(set.fit.x), c.scales);
+    CHECK(si[2] == Approx(m.waves).epsilon(0.01));
+    CHECK(std::hypot(si[0], si[1]) == Approx(m.cogging).epsilon(0.02));
+    CHECK(share(set.all_left(), c.ladder.documented) < 0.01);
+}
+
 TEST_CASE("what remains is told by the signal that it depends on", "[gap][ladder]")
 {
     Machine m;

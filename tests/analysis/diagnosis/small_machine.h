@@ -40,6 +40,7 @@ struct Machine {
     double hung = 0;              ///< kg of the inertia that hang on a spring behind the encoder
     double hung_stiffness = 1;    ///< N/m
     double hung_damping = 0;      ///< N·s/m
+    double hung_stretch = 1e9;    ///< m, at which that spring is twice as stiff, with the square of the stretch
 };
 
 inline Joint nominal_joint()
@@ -100,8 +101,9 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
                 followed += h * std::abs(v) * (q - followed) / m.bellows_play;
             else
                 followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
+            const double stretch = hung_at - q, hardened = 1 + std::pow(stretch / m.hung_stretch, 2);
             const double spring =
-                m.hung > 0 ? m.hung_stiffness * (hung_at - q) + m.hung_damping * (hung_speed - v) : 0.0;
+                m.hung > 0 ? m.hung_stiffness * hardened * stretch + m.hung_damping * (hung_speed - v) : 0.0;
             hung_speed -= m.hung > 0 ? h / m.hung * spring : 0.0;
             hung_at += h * hung_speed;
             const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load - m.gravity * std::sin(q) -

@@ -54,6 +54,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::unexplained, "unexplained"},
     {Code::free_force, "free-force"},
     {Code::nothing_earns, "nothing-earns"},
+    {Code::earns_implausible, "earns-implausible"},
     {Code::takes_too_little, "takes-too-little"},
     {Code::nearer_force, "nearer-force"},
     {Code::force_beside_numbers, "force-beside-numbers"},

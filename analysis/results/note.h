@@ -64,6 +64,7 @@ struct Note {
         unexplained,               ///< values: what the best of the catalogue leaves
         free_force,                ///< signal: a force of it, of no catalogue; values: what it would take
         nothing_earns,             ///< no cause takes a part of the gap on unseen data beside the corrections
+        earns_implausible,         ///< names: would reduce it with a number at its bound, or outside what is physical
         takes_too_little,          ///< names come nearest; values: what they take, what is explainable
         nearer_force,              ///< names come nearest, but a force of `signal` is clearly better
         force_beside_numbers,      ///< numbers are off, but a force of `signal` takes `values` of the gap besides

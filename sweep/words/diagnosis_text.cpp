@@ -110,6 +110,9 @@ constexpr Sentence sentences[] = {
      "there is a gap, and no effect or pair of the catalogue explains it: the best leaves {share0} of it"},
     {Code::free_force, "{force} would explain {share0} of it"},
     {Code::nothing_earns, "no cause reduces the gap on held-out data, with inertia, friction and load refitted"},
+    {Code::earns_implausible,
+     "{names} comes nearest, but only with a parameter at its bound or outside its physical range: it is not named as "
+     "the cause"},
     {Code::takes_too_little,
      "{names} comes nearest, but explains only {share0} of what corrected parameters leave, of which {share1} is "
      "explainable"},

@@ -51,7 +51,7 @@ double share_in_third(double kept)
 /// σ² of noise that keeps a part of itself from row to row, and the RMS of what it leaves, relative, of the noise seen
 /// at each stride. Smooth motion adds its jerk, which grows with the sixth power of the stride.
 struct Memory {
-    double variance = 0, left = infinity;
+    double variance = 0, left = infinity, kept = 0;
 };
 Memory with_memory(const std::array<double, strides.size()>& seen, double kept)
 {
@@ -65,15 +65,15 @@ Memory with_memory(const std::array<double, strides.size()>& seen, double kept)
     Eigen::Vector2d found = part.colPivHouseholderQr().solve(one);
     if (found[1] < 0) found = {part.col(0).sum() / part.col(0).squaredNorm(), 0};
     if (!(found[0] > 0)) return {};
-    return {found[0], std::sqrt((part * found - one).squaredNorm() / static_cast<double>(strides.size()))};
+    return {found[0], std::sqrt((part * found - one).squaredNorm() / static_cast<double>(strides.size())), kept};
 }
 
 }  // namespace
 
-double noise_with_memory(const std::vector<double>& y)
+ReadingNoise noise_with_memory(const std::vector<double>& y)
 {
     constexpr std::size_t fewest = 600;  // numerical: a hundred readings at the widest stride
-    const double white = noise_of(y);
+    const ReadingNoise white{noise_of(y)};
     std::array<double, strides.size()> seen{};
     for (std::size_t i = 0; i < strides.size(); ++i) {
         std::vector<double> some;
@@ -91,7 +91,8 @@ double noise_with_memory(const std::vector<double>& y)
     // motion that is no jerk alone fits neither: with its memory the noise has to fit as white noise does
     const bool coloured = none.left > policy::noise_not_white &&
                           best.left < std::min(policy::noise_not_white, policy::noise_with_memory_leaves * none.left);
-    return coloured ? std::max(white, std::sqrt(best.variance)) : white;
+    return coloured && best.variance > white.sigma * white.sigma ? ReadingNoise{std::sqrt(best.variance), best.kept}
+                                                                 : white;
 }
 
 double span_of(const std::vector<double>& values)

@@ -11,9 +11,13 @@ namespace stickslip::gap {
 /// that is smooth over four samples.
 double noise_of(const std::vector<double>& y);
 
-/// Standard deviation of noise that may have a memory, as behind a filter in the encoder: third differences of every
-/// second, third, … reading show more of it. Where they show the same, as noise_of().
-double noise_with_memory(const std::vector<double>& y);
+struct ReadingNoise {
+    double sigma = 0;
+    double kept = 0;  ///< part of it that stays from row to row; 0: white
+};
+/// Noise that may have a memory, as behind a filter in the encoder: third differences of every second, third, … reading
+/// show more of it. Where they show the same, that of noise_of().
+ReadingNoise noise_with_memory(const std::vector<double>& y);
 
 /// Standard deviation of what a sampled controller makes of white noise of its readings.
 double noise_of_command(const Control& control, double reading);

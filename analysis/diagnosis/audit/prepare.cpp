@@ -72,6 +72,8 @@ void find_reading_noise(Case& c, const Record& record, std::vector<Note>& notes)
 {
     const auto readings = on_grid(c.ticks);
     const double estimated = noise_of(readings), span = span_of(record.position);
+    const ReadingNoise found = noise_with_memory(readings);
+    c.ticks.noise_kept = std::pow(found.kept, 1.0 / c.ticks.ticks_per_row);
     c.sigma = reading_sigma(c.joint.sensor, span);
     const bool documented = c.joint.sensor.position_noise > 0 || c.joint.sensor.encoder_quantum > 0;
     c.noise_documented = documented;
@@ -90,10 +92,10 @@ void find_reading_noise(Case& c, const Record& record, std::vector<Note>& notes)
         // slow motion over coarse steps has no third differences, and no noise to be seen: its readings are off by the
         // rounding all the same, be it the encoder's or the file's
         const double rounding = gridded.encoder_quantum / std::sqrt(12.0);
-        c.sigma = std::max({c.sigma, noise_with_memory(readings), documented ? 0 : rounding});
+        c.sigma = std::max({c.sigma, found.sigma, documented ? 0 : rounding});
         // what rounding adds is in the estimate, and a simulated reading will be rounded again
-        const double white = std::sqrt(std::max(0.0, estimated * estimated - rounding * rounding));
-        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, white);
+        const double own = std::sqrt(std::max(0.0, found.sigma * found.sigma - rounding * rounding));
+        c.joint.sensor.position_noise = std::max(c.joint.sensor.position_noise, own);
     }
 }
 

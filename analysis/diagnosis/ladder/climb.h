@@ -53,6 +53,9 @@ struct Ladder {
 /// large as what the better one leaves beyond the noise, noise itself as the rows allow.
 double margin_of(const FittedSet& better, const LadderRules& rules);
 
+/// Whether the causes beyond those of `without` earn their place.
+bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
+
 class Climber;
 class SetFitter;
 struct Start;

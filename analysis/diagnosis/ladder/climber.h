@@ -12,9 +12,6 @@
 
 namespace stickslip::gap {
 
-/// Whether the causes beyond those of `without` earn their place.
-bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
-
 /// Whether another judged set may be the answer in the place of one: as many other causes, those below among them. What
 /// could not be a rung cannot be the cause in its place either.
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below);

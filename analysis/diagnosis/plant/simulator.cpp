@@ -32,6 +32,8 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
         column->resize(n);
     if (n == 0) return out;
     SeededNoise noise(seed);
+    const double kept = ticks.noise_kept, fresh = std::sqrt(1 - kept * kept);
+    double off = seed != 0 ? noise() : 0;  // by how much a reading is, in units of its noise
     const Sensor& sensor = plant.sensor;
     Mechanics<lanes::Pack<1, 1>> mechanics(kind_of(plant, ticks));
     // a command that is not held goes on as it went from the tick before, until the next one is known
@@ -45,7 +47,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
     Controller controller(plant);
     for (std::size_t k = 0; k < n; ++k) {
         double reading = mechanics.reading()[0];
-        if (seed != 0) reading += sensor.position_noise * noise();
+        if (seed != 0) reading += sensor.position_noise * off;
         if (sensor.encoder_quantum > 0) reading = sensor.encoder_quantum * std::round(reading / sensor.encoder_quantum);
         out.true_position[k] = mechanics.seen_position()[0];
         out.true_velocity[k] = mechanics.seen_velocity()[0];
@@ -57,6 +59,7 @@ Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
         if (k + 1 < n) drive[k + 1] = k == 0 ? drive[k] : 2 * drive[k] - drive[k - 1];
         out.effort[k] = mechanics.effort_now()[0] + (seed != 0 ? sensor.effort_noise * noise() : 0);
         if (k + 1 < n) mechanics.advance();
+        if (seed != 0) off = kept * off + fresh * noise();
     }
     return out;
 }

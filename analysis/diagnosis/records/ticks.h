@@ -51,6 +51,7 @@ struct Ticks {
     bool noisy_rows = false;         ///< commands and velocities of the rows carry noise that is unknown between them
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;
+    double noise_kept = 0;  ///< part of a reading's noise that stays until the next tick, as behind a filter
     double initial_velocity = 0;
     double initial_integral = 0;  ///< of the controller's error: an excerpt begins amid a record
 

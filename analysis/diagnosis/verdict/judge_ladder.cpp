@@ -61,6 +61,15 @@ bool only_nearest(const JudgedLadder& j)
            j.of_last.share_of(signal_of(first)) > policy::taken_by_free_force;
 }
 
+/// Why a ladder has no rung: no cause earns one, or one would with numbers that it cannot have.
+Note why_no_rung(const Ladder& ladder)
+{
+    for (const auto& tried : ladder.rivals.empty() ? std::vector<FittedSet>{} : ladder.rivals[0])
+        if (!tried.plausible && earns(ladder.corrected, tried, policy::ladder))
+            return {.code = Note::Code::earns_implausible, .names = names_of(tried.causes)};
+    return {Note::Code::nothing_earns};
+}
+
 /// Why the causes of a ladder are not the answer, if they are not.
 std::optional<Note> why_not(const JudgedLadder& j)
 {
@@ -226,7 +235,7 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Fit& fit)
     if (ladder.rungs.empty()) {
         // nothing but the document's numbers: if they take most of what is explainable, that is the answer
         j.only_corrections = j.noise_left || corrections_take_most(j.shares);
-        if (!j.only_corrections) j.why_not = Note{Note::Code::nothing_earns};
+        if (!j.only_corrections) j.why_not = why_no_rung(ladder);
         return;
     }
     j.chances = chances_of(j);

@@ -284,8 +284,8 @@ TEST_CASE("a Stribeck peak of another shape than the catalogue's is one cause", 
 TEST_CASE("a divided mass on a spring that hardens is found by its stiffness at small stretches", "[gap][slow]")
 {
     Machine m;
-    // at the Coulomb level the spring is stretched by 2.5 mm, where it is twice as stiff
-    m.hung = 0.8, m.hung_stiffness = 800, m.hung_damping = 1.5, m.hung_stretch = 2.5e-3;
+    // twice as stiff from 0.3 N on, where the Coulomb level is 2 N
+    m.hung = 0.8, m.hung_stiffness = 300, m.hung_damping = 1.5, m.hung_stretch = 1e-3;
     const Search search(m, {});
     const Effect* e = effect_named("compliance");
     std::vector<Candidate> forms;
@@ -298,4 +298,16 @@ TEST_CASE("a divided mass on a spring that hardens is found by its stiffness at 
     CHECK(si[0] == Approx(1 - m.hung / m.inertia).margin(0.03));
     CHECK(si[1] == Approx(m.hung_stiffness).epsilon(0.05));
     CHECK(si[4] == Approx(m.hung_stiffness * m.hung_stretch).epsilon(0.1));
+}
+
+TEST_CASE("a cause that would pay with impossible numbers alone is told as that", "[gap][ladder]")
+{
+    Machine m;
+    m.cubic = 4000;  // a spring of no catalogue, to which a wave longer than the travel comes near
+    const Search search(m, {"cogging"});
+    const auto j = search.judged(search.search->climb({}, policy::ladder.most_rungs));
+    REQUIRE(j.ladder.rungs.empty());
+    REQUIRE(j.why_not);
+    CHECK(j.why_not->code == Note::Code::earns_implausible);
+    CHECK(j.why_not->names == std::vector<std::string>{"cogging"});
 }

@@ -56,12 +56,14 @@ TEST_CASE("noise with a memory is not taken for the little that it does from row
         for (const double kept : {0.3, 0.8, 0.9}) {
             const auto y = readings(kept, motion);
             CAPTURE(motion, kept, noise_of(y));
-            CHECK(noise_with_memory(y) == Approx(2e-5).epsilon(0.33));
+            CHECK(noise_with_memory(y).sigma == Approx(2e-5).epsilon(0.33));
+            CHECK(noise_with_memory(y).kept == Approx(kept).margin(0.15));
         }
     CHECK(noise_of(readings(0.9, 0)) < 0.3 * 2e-5);
     for (const double motion : {0.0, 0.5}) {
         const auto white = readings(0, motion);
-        CHECK(noise_with_memory(white) == Approx(noise_of(white)));
+        CHECK(noise_with_memory(white).sigma == Approx(noise_of(white)));
+        CHECK(noise_with_memory(white).kept == 0);
     }
 }
 

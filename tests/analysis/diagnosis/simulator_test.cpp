@@ -236,6 +236,24 @@ TEST_CASE("noise of neighbouring seeds is not one sequence, shifted", "[gap]")
         }
 }
 
+TEST_CASE("simulated readings keep the part of their noise that the records keep", "[gap]")
+{
+    Joint j = sliding_mass(1, 2, 0);  // at rest: what is read is noise
+    j.sensor.position_noise = 1e-4;
+    Record r = at_ticks(20000, 1e-3);
+    r.reference_position = r.position;
+    Ticks ticks = on_clock(r, j);
+    for (const double kept : {0.0, 0.8}) {
+        ticks.noise_kept = kept;
+        const auto y = closed_loop(flatten(j), ticks, 5).position;
+        double square = 0, next = 0;
+        for (std::size_t k = 0; k + 1 < y.size(); ++k) square += y[k] * y[k], next += y[k] * y[k + 1];
+        CAPTURE(kept);
+        CHECK(std::sqrt(square / static_cast<double>(y.size())) == Approx(1e-4).epsilon(0.05));
+        CHECK(next / square == Approx(kept).margin(0.02));
+    }
+}
+
 TEST_CASE("a simulated joint starts anywhere within a step of its encoder", "[gap]")
 {
     Joint j = sliding_mass(1, 1, 1);

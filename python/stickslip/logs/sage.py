@@ -15,7 +15,8 @@ def _numbers(text: str) -> list[float]:
 def _table(path: Path, wanted: str, keys: tuple[str, ...], count: int):
     if not path.exists():
         raise StickslipError(f"{path}: there is no such file; a folder of SAGE has joint_list.txt, state_motor.csv and control.csv")
-    times, values = [], {key: [] for key in keys}
+    times: list[float] = []
+    values: dict[str, list[list[float]]] = {key: [] for key in keys}
     with path.open(newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             if row.get("type") and row["type"] != wanted:

@@ -38,9 +38,9 @@ std::vector<double> differentiated(const std::vector<double>& time, const std::v
 double size_of_rate(const std::vector<double>& time, const std::vector<double>& values,
                     const std::vector<double>& rates)
 {
-    constexpr std::size_t windows = 100;
+    constexpr std::size_t windows = 100, few = 20;
     constexpr double together = 0.9;  // correlation
-    if (rates.size() != values.size()) return 0;
+    if (rates.size() != values.size() || values.size() < few) return 0;
     const std::size_t width = std::max<std::size_t>(1, values.size() / windows);
     double of_rates = 0, of_values = 0, of_both = 0;
     for (std::size_t k = 0; k + width < values.size(); k += width) {

@@ -39,7 +39,8 @@ def _table(path: Path, wanted: str, keys: tuple[str, ...], count: int):
 def read(path: Path, joint: str | None = None):
     names_file = path / "joint_list.txt"
     if not names_file.exists():
-        raise StickslipError(f"{path}: is a folder without joint_list.txt; a folder of SAGE has it beside state_motor.csv and control.csv")
+        raise StickslipError(f"{path}: is a folder without joint_list.txt; a folder of SAGE has it beside state_motor.csv and control.csv, "
+                             "a bag of ROS 2 has metadata.yaml beside .mcap or .db3")
     names = [line.strip() for line in names_file.read_text(encoding="utf-8").splitlines() if line.strip()]
     index = joint_index(str(path), names, joint)
     t, state = _table(path / "state_motor.csv", "STATE_MOTOR", ("positions", "velocities", "torques"), len(names))

@@ -20,7 +20,7 @@ INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 
 
 def convert() -> int:
-    parser = argparse.ArgumentParser(prog="stickslip convert", description="A record in CSV from a log: MCAP, ROS 1 bag, Parquet, "
+    parser = argparse.ArgumentParser(prog="stickslip convert", description="A record in CSV from a log: bags of ROS 2 and 1, Parquet, "
                                      "SAGE folder, BAM JSON, .npz, .mat, HDF5, NetCDF")
     parser.add_argument("log", metavar="IN")
     parser.add_argument("csv", metavar="OUT.csv")

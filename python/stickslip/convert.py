@@ -4,6 +4,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import os
+import re
 import signal
 import sys
 from pathlib import Path
@@ -19,7 +20,7 @@ INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 
 
 def convert() -> int:
-    parser = argparse.ArgumentParser(prog="stickslip convert", description="A record in CSV from a log: MCAP, ROS 1 bag, Parquet, "
+    parser = argparse.ArgumentParser(prog="stickslip convert", description="A record in CSV from a log: bags of ROS 2 and 1, Parquet, "
                                      "SAGE folder, BAM JSON, .npz, .mat, HDF5, NetCDF")
     parser.add_argument("log", metavar="IN")
     parser.add_argument("csv", metavar="OUT.csv")
@@ -40,7 +41,7 @@ def convert() -> int:
         write_whole(Path(asked.csv), frame)
         ignore_interrupts()  # from here on there is nothing left to interrupt
     except StickslipError as error:
-        complain(error)
+        complain(re.sub(r"\bwith (joint|topic|time|episode)=", r"with --\1", str(error)))  # as it is said here
         return BAD_INPUT
     except OSError as error:
         complain(f"{error.filename or asked.csv}: {error.strerror}")

@@ -40,7 +40,7 @@ def plot_map(dataset: "xarray.Dataset", x: str, y: str, variable: str = "spectra
     x, y = _dimension(dataset, x), _dimension(dataset, y)
     at = {_dimension(dataset, name): value for name, value in at.items()}
     values = dataset[variable]
-    for name in values.dims:
+    for name in map(str, values.dims):
         if name in (x, y):
             continue
         values = values.sel({name: at[name]}, method="nearest") if name in at else values.isel({name: values.sizes[name] // 2})

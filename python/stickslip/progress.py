@@ -55,7 +55,8 @@ class Listener:
     """Takes what the program writes on its terminal apart: lines that are drawn over, and words that stay."""
 
     def __init__(self, show: Show):
-        self._show, self._pending, self._kept, self._drawn = show, "", [], False
+        self._show, self._pending, self._drawn = show, "", False
+        self._kept: list[str] = []
 
     def feed(self, text: str) -> None:
         parts = _REDRAWN.split(self._pending + text.replace("\r\n", "\n"))

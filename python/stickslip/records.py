@@ -2,11 +2,37 @@
 from __future__ import annotations
 
 import re
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Iterator, Mapping
 
 from .logs import read_log
 from .program import StickslipError
+
+if TYPE_CHECKING:
+    import pandas
+
+
+def _numbers(where: str, given: "pandas.Series") -> "pandas.Series":
+    """The column in plain numbers, of whatever kind pandas has them: nullable, Arrow's, categories, text, objects."""
+    import numpy
+    import pandas
+    from pandas.api import types
+
+    if types.is_bool_dtype(given.dtype):
+        given = given.astype(float) if given.dtype == bool else given.astype("Float64")
+    if types.is_complex_dtype(given.dtype) or types.is_datetime64_any_dtype(given.dtype) or types.is_timedelta64_dtype(given.dtype):
+        raise StickslipError(f"{where} holds {given.dtype}, expected numbers (times in seconds)")
+    if types.is_numeric_dtype(given.dtype):
+        plain = isinstance(given.dtype, numpy.dtype)  # whole numbers stay whole: nanoseconds have more digits than a float
+        return given if plain else pandas.Series(given.to_numpy(dtype=float, na_value=numpy.nan), index=given.index)
+    values = pandas.to_numeric(given.astype(object), errors="coerce")
+    if types.is_complex_dtype(values.dtype):
+        raise StickslipError(f"{where} holds complex numbers, expected real ones")
+    wrong = numpy.flatnonzero((values.isna() & given.notna()).to_numpy())
+    if len(wrong):
+        raise StickslipError(f"{where}, row {wrong[0]}: got {given.iloc[wrong[0]]!r}, expected a number")
+    return values
 
 
 def as_frame(name: str, record: Any):
@@ -18,8 +44,10 @@ def as_frame(name: str, record: Any):
         raise StickslipError(f"{name}: got {type(record).__name__}, expected a data frame, a dict of columns, or a file")
     try:
         frame = pandas.DataFrame(record)
-    except ValueError as error:
+    except (TypeError, ValueError) as error:
         raise StickslipError(f"{name}: {error}") from None
+    if frame.index.name == "time" and "time" not in frame.columns:
+        frame = frame.reset_index()
     if frame.empty:
         raise StickslipError(f"{name}: has no rows")
     for column in frame.columns:
@@ -28,23 +56,16 @@ def as_frame(name: str, record: Any):
     twice = frame.columns[frame.columns.duplicated()]
     if len(twice):
         raise StickslipError(f"{name}: got {list(frame.columns).count(twice[0])} columns called {twice[0]!r}, expected one")
-    columns = {}
-    for column in frame.columns:
-        given = frame[column]
-        if given.dtype == bool:
-            given = given.astype(int)
-        values = pandas.to_numeric(given, errors="coerce") if given.dtype == object else given
-        if not numpy.issubdtype(values.dtype, numpy.number) or numpy.issubdtype(values.dtype, numpy.complexfloating):
-            raise StickslipError(f"{name}: column {column!r} holds {given.dtype}, expected numbers (times in seconds)")
-        if given.dtype == object and bool((values.isna() & given.notna()).any()):
-            row = int(numpy.flatnonzero((values.isna() & given.notna()).to_numpy())[0])
-            raise StickslipError(f"{name}: column {column!r}, row {row}: got {given.iloc[row]!r}, expected a number")
-        columns[str(column)] = values
+    columns = {str(column): _numbers(f"{name}: column {column!r}", frame[column]) for column in frame.columns}
     clean = pandas.DataFrame(columns)
     missing = clean.columns[clean.isna().any()]
     if len(missing):
         row = int(numpy.flatnonzero(clean[missing[0]].isna().to_numpy())[0])
         raise StickslipError(f"{name}: column {missing[0]!r}, row {row}: has no value; remove such rows or fill them")
+    endless = clean.columns[numpy.isinf(clean.to_numpy(dtype=float)).any(axis=0)]
+    if len(endless):
+        row = int(numpy.flatnonzero(numpy.isinf(clean[endless[0]].to_numpy()))[0])
+        raise StickslipError(f"{name}: column {endless[0]!r}, row {row}: got {clean[endless[0]].iloc[row]}, expected a finite number")
     return clean
 
 
@@ -60,3 +81,17 @@ def write_record(name: str, record: Any, folder: Path, log: Mapping[str, Any]) -
         raise StickslipError(f"{name}: two records would be written as {file.name}; give them different names")
     frame.to_csv(file, index=False)
     return file
+
+
+@contextmanager
+def told_of_records(folder: str) -> Iterator[None]:
+    """Errors about files that `write_record` made in the folder name the record and the row of its data frame."""
+    def place(found: re.Match) -> str:
+        row = int(found[2]) - 2  # behind the header, from 0
+        return f"{found[1]}: " + (f"row {row}: " if row >= 0 else "")
+
+    try:
+        yield
+    except StickslipError as error:
+        text = re.sub(re.escape(folder) + r"/([^/\s]+)\.csv:(\d+):\d+: ", place, str(error))
+        raise type(error)(text.replace(folder + "/", "")) from None

@@ -84,7 +84,7 @@ def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, refere
     """
     import pandas
 
-    from .records import write_record
+    from .records import told_of_records, write_record
 
     words: list[Any] = []
     for name, value in options.items():
@@ -93,7 +93,8 @@ def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, refere
         folder = Path(temporary) / "motion"
         if reference is not None:
             words += ["--reference", write_record("reference", reference, Path(temporary), {})]
-        run = program.run(["simulate", file, "-o", folder, *_settings(settings), *words])
+        with told_of_records(temporary):
+            run = program.run(["simulate", file, "-o", folder, *_settings(settings), *words])
         table = folder / ("record.csv" if reference is not None else "trajectory.csv")
         if not table.exists():
             raise program.StickslipError(run.stdout.strip() or run.stderr.strip())
@@ -148,7 +149,7 @@ def diagnose(joint: JointLike, records: Mapping[str, Any], directory: str | Path
     position, velocity, effort_command, effort_measured, …, in SI units unless the joint's [record] table says otherwise.
     With a `directory`, diagnosis.json, the page (`report`) and the next experiment stay there.
     """
-    from .records import write_record
+    from .records import told_of_records, write_record
 
     if not isinstance(records, Mapping) or not records:
         raise TypeError("records: expected a dict of at least one data frame, {\"run1\": frame}")
@@ -157,10 +158,8 @@ def diagnose(joint: JointLike, records: Mapping[str, Any], directory: str | Path
         folder = Path(directory) if directory else Path(temporary) / "diagnosis"
         folder.mkdir(parents=True, exist_ok=True)
         command: list[Any] = ["diagnose", file, *files, "-o", folder, "--threads", threads]
-        try:
+        with told_of_records(temporary):
             return Answer(program.answer_of(command if report else [*command, "--no-report"]))
-        except program.StickslipError as error:
-            raise program.StickslipError(str(error).replace(temporary + "/", "")) from None
 
 
 def diagnose_robot(robot: str | Path | Mapping[str, JointLike], logs: Any, directory: str | Path | None = None, report: bool = False,
@@ -223,7 +222,7 @@ def export(joint: JointLike, to: str, name: str = "joint", settings: Mapping[str
     With held-out `records`, as `diagnose` takes them, answer["gap_left"] is what the text leaves of the gap there, in noise
     floors; answer["gap"] has it signal by signal, beside what the joint itself leaves.
     """
-    from .records import write_record
+    from .records import told_of_records, write_record
 
     words: list[Any] = []
     for key, value in options.items():
@@ -232,10 +231,8 @@ def export(joint: JointLike, to: str, name: str = "joint", settings: Mapping[str
         files = [write_record(key, record, Path(temporary), log or {}) for key, record in (records or {}).items()]
         if files:
             words += ["--records", *files]
-        try:
+        with told_of_records(temporary):
             return Answer(program.answer_of(["export", file, "--to", to, "--name", name, *words, *_settings(settings)]))
-        except program.StickslipError as error:
-            raise program.StickslipError(str(error).replace(temporary + "/", "")) from None
 
 
 def import_robot(robot: str | Path, joint: str, at: Mapping[str, float] | None = None,
@@ -265,7 +262,7 @@ def check_gap(joint: JointLike, records: Mapping[str, Any], baseline: str | Path
 
     `update` writes the baseline instead and returns it. Tolerances are shares: gap_tolerance=0.1, number_tolerance=0.05.
     """
-    from .records import write_record
+    from .records import told_of_records, write_record
 
     if not isinstance(records, Mapping) or not records:
         raise TypeError("records: expected a dict of at least one data frame, {\"run1\": frame}")
@@ -276,10 +273,11 @@ def check_gap(joint: JointLike, records: Mapping[str, Any], baseline: str | Path
         words += ["-o", directory]
     with _input(joint) as file, tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
         files = [write_record(name, record, Path(temporary), {}) for name, record in records.items()]
-        if update:
-            program.run(["check", file, *files, baseline, "--update", *words])
-            return read_answer(baseline)
-        return Answer(program.answer_of(["check", file, *files, baseline, *words]))
+        with told_of_records(temporary):
+            if update:
+                program.run(["check", file, *files, baseline, "--update", *words])
+                return read_answer(baseline)
+            return Answer(program.answer_of(["check", file, *files, baseline, *words]))
 
 
 def compare(before: str | Path, after: str | Path) -> Answer:

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <sstream>
 #include <tuple>
 
@@ -89,6 +90,8 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
         {record([](Row& r) { r.time *= 1e9; }), "suspected nanoseconds"},
         {record([](Row& r) { r.time *= 2e4; }), "suspected another unit of time"},
         {record([](Row& r) { r.velocity *= -1; }), "suspected sign: velocity runs against the rate of position"},
+        {record([](Row& r) { r.velocity *= 30 / std::numbers::pi; }), "suspected unit: velocity is 9.5 times"},
+        {record([](Row& r) { r.velocity *= 0.1; }), "suspected unit: velocity is 10 times less than"},
         {measured(-1), "suspected sign: effort_measured runs against effort_command"},
         {measured(1000), "suspected unit: effort_measured varies by 1000 times"},
         {reference_rate(degrees), "suspected unit: reference_velocity is 5"},

@@ -161,6 +161,13 @@ def test_one_cause_a_joint_of_a_moving_arm_is_found(urdf, planted, found):
             assert cause in found[name]
 
 
+def test_what_a_computed_load_is_wrong_by_is_no_unmodelled_force(urdf):
+    """The upper joint turns round at a few positions of the lower one, again and again, and the smoothed load is wrong there."""
+    records = stickslip.with_arm_load(simulated(6, 303, load=(0.0, -0.3367)), urdf, armature={"upper": ROTOR[0], "lower": ROTOR[1]})
+    diagnosis = stickslip.diagnose(joint_files()["lower"], {"run": records["lower"]})
+    assert diagnosis["verdict"] == "gap" and diagnosis["effects"][0]["names"][0] in {"constant-load", "asymmetric-friction"}
+
+
 def test_without_the_arm_in_it_the_same_record_has_a_gap(urdf):
     """What the columns are for: the joint's own file knows nothing of the other joint and of weight."""
     records = simulated(6, 5)

@@ -83,7 +83,7 @@ def test_wrong_joints_are_told_with_the_right_ones(tmp_path):
     bag = sample.mcap(tmp_path / "run.mcap")
     with pytest.raises(StickslipError, match="no joint 'elbwo', it has shoulder, elbow; did you mean 'elbow'"):
         stickslip.read_log(bag, joint="elbwo")
-    with pytest.raises(StickslipError, match="2 joints called 'elbow'"):
+    with pytest.raises(StickslipError, match="2 joints called 'elbow', expected one"):
         stickslip.read_log(sample.mcap(tmp_path / "twice.mcap", names=["elbow", "elbow"]), joint="elbow")
     with pytest.raises(StickslipError, match="say which with joint="):
         stickslip.read_log(bag)
@@ -249,6 +249,22 @@ def test_two_drivers_on_one_topic(tmp_path):
         stickslip.read_log(file, joint="knee")
     with pytest.raises(StickslipError, match="command topic /comand; topics are /command"):
         stickslip.read_log(file, joint="elbow", command="/comand")
+
+
+def test_a_topic_is_chosen_by_the_joint_that_only_it_has(tmp_path):
+    """An arm and its gripper with a topic each; topics of other kinds do not matter."""
+    states = "sensor_msgs/msg/JointState"
+    messages = []
+    for k, t in enumerate(sample.T):
+        messages.append(("/gripper/joint_states", states, t, sample.ros2_joint_state(k, ["finger", "thumb"])))
+        messages.append(("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", t, b"\0\1\0\0abc"))
+        messages.append(("/arm/joint_states", states, t, sample.ros2_joint_state(k)))
+    frame = stickslip.read_log(sample.mcap_of(tmp_path / "run.mcap", messages), joint="elbow")
+    assert numpy.allclose(frame["position"], sample.Q[:, 1])
+    assert any("/arm/joint_states, the only topic that has elbow" in guess for guess in frame.attrs["guessed"])
+    messages.append(("/gripper/joint_states", states, sample.T[-1] + 0.01, sample.ros2_joint_state(0)))
+    with pytest.raises(StickslipError, match="has 2 topics of sensor_msgs/JointState, expected one; say which with topic="):
+        stickslip.read_log(sample.mcap_of(tmp_path / "both.mcap", messages), joint="elbow")
 
 
 def test_a_packing_that_cannot_be_read_is_told_with_the_file(tmp_path):

@@ -1,5 +1,6 @@
 """A gap against a baseline, two diagnoses, many by date, and the way back from a joint's page to its robot's."""
 import numpy
+import pandas
 import pytest
 
 import stickslip
@@ -86,6 +87,22 @@ def test_frames_that_are_no_record_are_refused_in_words():
                         (with_column(position=good["position"].astype(object).where(good.index != 9, "abc")),
                          "column 'position', row 9: got 'abc', expected a number"),
                         (with_column(position=good["position"].where(good.index != 9)), "column 'position', row 9: has no value"),
+                        (with_column(position=good["position"].convert_dtypes().where(good.index != 9)), "column 'position', row 9: has no value"),
+                        (with_column(position=good["position"].where(good.index != 9, numpy.inf)), "column 'position', row 9: got inf"),
+                        (with_column(time=good["time"].where(good.index != 9, good["time"][8])), "^run: row 9: time: is 0.016, the same as"),
+                        (with_column(time=pandas.to_datetime(good["time"], unit="s", utc=True)), "column 'time' holds datetime64"),
+                        (with_column(time=pandas.to_timedelta(good["time"], unit="s")), "column 'time' holds timedelta64"),
+                        (with_column(time=(good["time"] * 1e9).astype("int64")), "^run.csv: suspected nanoseconds"),
+                        (with_column(velocity=good["velocity"] * 60 / (2 * numpy.pi)), "suspected unit: velocity is 9.5 times the rate of position"),
                         (with_column(position=numpy.degrees(good["position"])), "^run.csv: suspected degrees: position moves 5[78].. times")):
         with pytest.raises(StickslipError, match=told):
             stickslip.diagnose(JOINT, {"run": frame})
+
+
+def test_columns_of_any_kind_of_pandas_are_the_same_record():
+    good = measured(1.3, 3)["run"]
+    first = stickslip.diagnose(JOINT, {"run": good})
+    other = good.convert_dtypes().assign(position=good["position"].astype("category"), velocity=good["velocity"].astype(str).astype("string"),
+                                         reference_position=pandas.arrays.SparseArray(good["reference_position"]))
+    for frame in (other, good.set_index("time"), good[good.columns[::-1]].astype(object)):
+        assert stickslip.diagnose(JOINT, {"run": frame})["effects"] == first["effects"]

@@ -62,6 +62,13 @@ const xarm = {
     { at: [0.076, 0.097, 0], turn: [1, -1, 0, 0], mass: 0.17, centre: [0, -0.00677, -0.01098], principal: [0.000132176, 9.3e-5, 5.85236e-5], axes: [0.487612, 0.512088, -0.512088, 0.487612] }]
 };
 
+/// Two links that hang in a vertical plane, their axes parallel: those of tests/python/test_arm.py.
+const planar = {
+  name: "two-links", links: [
+    { axis: [0, 1, 0], mass: 3, centre: [0, 0, -0.25], inertia: diagonal(0.09, 0.08, 0.02), armature: 0.1 },
+    { at: [0, 0, -0.5], axis: [0, 1, 0], mass: 2, centre: [0, 0, -0.2], inertia: diagonal(0.04, 0.03, 0.01), armature: 0.1 }]
+};
+
 /// Rotation of a quaternion of any length.
 function matrix(q) {
   const n = Math.hypot(...q), [w, x, y, z] = q.map(v => v / n);
@@ -110,4 +117,5 @@ function urdf(arm) {
   return text + "</robot>";
 }
 
-export const arms = [ur5e, panda, iiwa, gen3, xarm].map(arm => ({ name: arm.name, joints: arm.links.length, mjcf: mjcf(arm), urdf: urdf(arm) }));
+const described = arm => ({ name: arm.name, joints: arm.links.length, mjcf: mjcf(arm), urdf: urdf(arm) });
+export const arms = [ur5e, panda, iiwa, gen3, xarm].map(described), twoLinks = described(planar);

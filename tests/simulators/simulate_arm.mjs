@@ -1,14 +1,14 @@
-// node simulate_arm.mjs MACHINE.json FOLDER: a public arm of six joints in MuJoCo, each joint in a loop of its own, as records.
+// node simulate_arm.mjs MACHINE.json FOLDER: a public arm or two links in MuJoCo, each joint in a loop of its own, as records.
 // MACHINE: arm, seconds, period [s], noise and quantum [rad], seed, and per joint coulomb, viscous, load, k_p, k_v and
 // motion [[amplitude, frequency]…] of sines squared. Writes arm.urdf and JOINT.csv of each.
 import loadMujoco from "@mujoco/mujoco";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { arms } from "./public_arms.mjs";
+import { arms, twoLinks } from "./public_arms.mjs";
 
 const mujoco = await loadMujoco();
 const machine = JSON.parse(readFileSync(process.argv[2], "utf8")), folder = process.argv[3];
-const arm = arms.find(a => a.name === machine.arm), n = arm.joints, { period } = machine;
+const arm = [...arms, twoLinks].find(a => a.name === machine.arm), n = arm.joints, { period } = machine;
 const step = 1e-4, steps = Math.round(period / step), settling = 3;  // s at rest before the record begins
 
 // friction as in tests/blind/mujoco/mechanism.mjs: stiff enough that rest does not creep

@@ -180,6 +180,20 @@ std::vector<Shape> shapes_of(const std::vector<Case>& cases)
     return {{&of_position(), 2, {{from, width}}}, {&of_velocity(), 1, {{1}}}, follower, over_time};
 }
 
+/// All that the error of a known load adds to the noise floors, as `mean_log_misfit` has it.
+double gain_by_load_error(const std::vector<Case>& cases)
+{
+    double sum = 0, n = 0;
+    for (const auto& c : cases) {
+        Case exact = c;
+        exact.load_sigma = {};
+        for (const double omega : levels)
+            sum += 2 * std::log(reading_floor(c, omega) / reading_floor(exact, omega)), n += 1;
+        n += 1;  // of the effort, which has no part of it
+    }
+    return sum / n;
+}
+
 }  // namespace
 
 std::vector<FreeFit> fit_free_forces(const Fit& context, const Corrections* corrections)
@@ -212,6 +226,7 @@ std::vector<FreeFit> fit_free_forces(const Fit& context, const Corrections* corr
         if (in_front > shape.given)
             fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, beside.kept(shape.given));
     });
+    const double by_load_error = gain_by_load_error(cases);
     std::vector<FreeFit> fits(shapes.size());
     context.parallel(shapes.size(), [&](std::size_t i) {
         const Shape& shape = shapes[i];
@@ -230,7 +245,7 @@ std::vector<FreeFit> fit_free_forces(const Fit& context, const Corrections* corr
         }
         a.refined = true;
         judge(a, context.nominal);
-        fits[i] = {shape.effect->name, std::move(a)};
+        fits[i] = {shape.effect->name, std::move(a), by_load_error};
     });
     // a follower with next to no width is the position
     const auto misfit = [](const FreeFit& f) {
@@ -248,7 +263,7 @@ bool clearly_better(const FreeFit& free, const Attribution& cause)
 bool clearly_better(const FreeFit& free, double left)
 {
     return mean_log_misfit(free.fit.evaluation) <
-           left - std::max(policy::least_of_free_force, policy::better_than_cause * left);
+           left - std::max({policy::least_of_free_force, policy::better_than_cause * left, free.by_load_error});
 }
 
 }  // namespace stickslip::gap

@@ -14,6 +14,9 @@ namespace stickslip::gap {
 struct FreeFit {
     std::string_view of;  ///< "position" | "velocity" | "hysteresis" | "inertia"
     Attribution fit;
+    /// What it gains of the mean log misfit where it follows no more than the error of a known load. A computed load
+    /// is wrong where another joint turns round, again and again at the same positions of this one.
+    double by_load_error = 0;
 };
 
 /// One fit of each of the shapes, at all bandwidths, with corrections of the joint's own parameters where they are

@@ -9,30 +9,33 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable
 
 from ..program import StickslipError
-from . import arrays, bam, mcap, parquet, rosbag, sage
+from . import arrays, bam, mcap, parquet, ros2_bag, rosbag, sage
 
 if TYPE_CHECKING:
     import pandas
 
 _BY_SUFFIX: dict[str, Callable[..., "pandas.DataFrame"]] = {
-    ".mcap": mcap.read, ".bag": rosbag.read, ".parquet": parquet.read, ".json": bam.read, ".npz": arrays.read_npz,
-    ".mat": arrays.read_mat, ".h5": arrays.read_hdf5, ".hdf5": arrays.read_hdf5, ".nc": arrays.read_netcdf,
+    ".mcap": mcap.read, ".db3": ros2_bag.read_database, ".bag": rosbag.read, ".parquet": parquet.read, ".json": bam.read,
+    ".npz": arrays.read_npz, ".mat": arrays.read_mat, ".h5": arrays.read_hdf5, ".hdf5": arrays.read_hdf5, ".nc": arrays.read_netcdf,
 }
 
 
 def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pandas.DataFrame":
-    """Reads one joint's record from a log; the format follows from the suffix, a folder is SAGE's. `joint` is its name
+    """Reads one joint's record from a log; the format follows from the suffix, a folder is a bag of ROS 2 or SAGE's. `joint` is its name
     where the log has several. Options are those of the format's reader (topics, column names)."""
     path = Path(file)
     if not path.exists():
         raise StickslipError(f"{path}: there is no such file")
-    reader = sage.read if path.is_dir() else _BY_SUFFIX.get(path.suffix.lower())
+    if path.is_dir():
+        reader = ros2_bag.read_folder if ros2_bag.is_bag(path) else sage.read
+    else:
+        reader = _BY_SUFFIX.get(path.suffix.lower())
     if reader is None and path.name.lower().endswith((".csv", ".csv.gz")):
         import pandas
 
         return pandas.read_csv(path)
     if reader is None:
-        raise StickslipError(f"{path}: got a file {path.suffix or 'without suffix'}, expected {', '.join(_BY_SUFFIX)}, .csv or a folder of SAGE")
+        raise StickslipError(f"{path}: got a file {path.suffix or 'without suffix'}, expected {', '.join(_BY_SUFFIX)}, .csv, a bag of ROS 2 or a folder of SAGE")
     try:
         return reader(path, joint=joint, **options)
     except StickslipError:

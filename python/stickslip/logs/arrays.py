@@ -15,20 +15,40 @@ _SAME = {"q": "position", "qd": "velocity", "dq": "velocity", "q_ref": "referenc
          "command": "effort_command", "u": "effort_command"}
 
 
+def _seconds(time: Any) -> tuple[Any, str]:
+    """Times from their beginning, and the unit if it is another one than s: the longest that makes rows closer than half a second,
+    since whoever logs less often sees no friction. Whole numbers of nanoseconds have more digits than a float."""
+    import numpy
+
+    if time.dtype.kind == "M":
+        return (time - time[0]) / numpy.timedelta64(1, "s"), ""
+    if time.ndim != 1 or len(time) < 2 or time.dtype.kind == "b":
+        return time.astype(float), ""
+    from_start = (time.astype("int64") - int(time[0]) if time.dtype.kind in "iu" else time).astype(float)
+    step = numpy.median(numpy.abs(numpy.diff(from_start)))
+    if not step >= 0.5 or numpy.isinf(step):
+        return time.astype(float), ""
+    for unit, factor in (("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
+        if step * factor < 0.5:
+            return from_start * factor, unit
+    return time.astype(float), ""
+
+
 def columns_of(path: Path, arrays: Mapping[str, Any], joint: str | None, time: str | None = None, columns: Mapping[str, str] | None = None):
     """`columns` renames arrays: {"my_angle": "position"}. Two-dimensional ones hold a joint a column."""
     import numpy
 
     found = {name: numpy.squeeze(numpy.asarray(value)) for name, value in arrays.items()}
-    found = {name: value for name, value in found.items() if value.dtype.kind in "fiub" and value.ndim in (1, 2)}
+    found = {name: value for name, value in found.items() if value.dtype.kind in "fiubM" and value.ndim in (1, 2)}
     key = time or next((name for name in _TIMES if name in found), None)
     if key is None or key not in found:
         raise StickslipError(f"{path}: has no time among {', '.join(arrays) or 'nothing'}; say which array it is with time=")
     rows = len(found[key])
     names = [str(n) for n in numpy.ravel(arrays["joint_names"])] if "joint_names" in arrays else []
-    out, guessed = {"time": found[key].astype(float)}, []
+    seconds, unit = _seconds(found[key])
+    out, guessed = {"time": seconds}, [f"array {key} read as {unit}, from its step"] if unit else []
     for name, value in found.items():
-        if name == key or len(value) != rows:
+        if name == key or len(value) != rows or value.dtype.kind == "M":
             continue
         ours = (columns or {}).get(name, name if columns else _SAME.get(name, name))
         if ours != name and not (columns or {}).get(name):

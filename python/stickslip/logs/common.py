@@ -17,7 +17,7 @@ def joint_index(source: str, names: Sequence[str], joint: str | None) -> int:
         raise StickslipError(f"{source}: has the joints {listed}; say which with joint=")
     found = [i for i, name in enumerate(names) if name == joint]
     if len(found) > 1:
-        raise StickslipError(f"{source}: has {len(found)} joints called {joint!r}")
+        raise StickslipError(f"{source}: has {len(found)} joints called {joint!r}, expected one")
     if not found:
         near = difflib.get_close_matches(joint, names, 1)
         raise StickslipError(f"{source}: has no joint {joint!r}, it has {listed}" + (f"; did you mean {near[0]!r}?" if near else ""))

@@ -29,13 +29,21 @@ def record(path: Path, messages: Iterable[Message], cdr: bool, joint: str | None
     if command is not None and command not in seen:
         raise StickslipError(f"{path}: has no messages on the command topic {command}; topics are {listed}")
     candidates = [name for name in states if name != command]
+    chosen = None
     if topic is None:
+        if len(candidates) > 1 and joint is not None:  # an arm and its gripper have a topic each
+            having = [name for name in candidates if any(joint in state.names for _, state in states[name])]
+            if len(having) == 1:
+                candidates, chosen = having, having[0]
         if len(candidates) != 1:
             raise StickslipError(f"{path}: has {len(candidates)} topics of sensor_msgs/JointState, expected one; say which with topic=; topics are {listed}")
         topic = candidates[0]
     if topic not in states:
         raise StickslipError(f"{path}: has no JointState on topic {topic}; topics are {listed}")
-    return _columns(path, states, numbers, topic, command, joint)
+    frame = _columns(path, states, numbers, topic, command, joint)
+    if chosen:
+        frame.attrs["guessed"].append(f"joint states are those of {chosen}, the only topic that has {joint}")
+    return frame
 
 
 def _sent(messages, name: str, of: str) -> list[tuple[float, float]]:
@@ -51,7 +59,7 @@ def _columns(path, states, numbers, topic, command, joint):
     name = names[joint_index(f"{path}: topic {topic}", names, joint)]
     driver = next(list(one) for one in lists if name in one)
     if driver.count(name) > 1:
-        raise StickslipError(f"{path}: topic {topic}: has {driver.count(name)} joints called {name!r}")
+        raise StickslipError(f"{path}: topic {topic}: has {driver.count(name)} joints called {name!r}, expected one")
     t: list[float] = []
     columns: dict[str, list[float]] = {"position": [], "velocity": [], "effort_measured": []}
     guessed = ["units are those of REP 103 (rad, m, N·m, N): the messages do not say"]

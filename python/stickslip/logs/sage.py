@@ -15,7 +15,8 @@ def _numbers(text: str) -> list[float]:
 def _table(path: Path, wanted: str, keys: tuple[str, ...], count: int):
     if not path.exists():
         raise StickslipError(f"{path}: there is no such file; a folder of SAGE has joint_list.txt, state_motor.csv and control.csv")
-    times, values = [], {key: [] for key in keys}
+    times: list[float] = []
+    values: dict[str, list[list[float]]] = {key: [] for key in keys}
     with path.open(newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             if row.get("type") and row["type"] != wanted:
@@ -38,7 +39,8 @@ def _table(path: Path, wanted: str, keys: tuple[str, ...], count: int):
 def read(path: Path, joint: str | None = None):
     names_file = path / "joint_list.txt"
     if not names_file.exists():
-        raise StickslipError(f"{path}: is a folder without joint_list.txt; a folder of SAGE has it beside state_motor.csv and control.csv")
+        raise StickslipError(f"{path}: is a folder without joint_list.txt; a folder of SAGE has it beside state_motor.csv and control.csv, "
+                             "a bag of ROS 2 has metadata.yaml beside .mcap or .db3")
     names = [line.strip() for line in names_file.read_text(encoding="utf-8").splitlines() if line.strip()]
     index = joint_index(str(path), names, joint)
     t, state = _table(path / "state_motor.csv", "STATE_MOTOR", ("positions", "velocities", "torques"), len(names))

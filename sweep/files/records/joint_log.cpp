@@ -81,12 +81,17 @@ bool is_table(const std::filesystem::path& file)
     return name.ends_with(".csv") || name.ends_with(".csv.gz");
 }
 
+bool is_folder_of_a_log(const std::filesystem::path& folder)
+{
+    return std::filesystem::exists(folder / "joint_list.txt") || std::filesystem::exists(folder / "metadata.yaml");
+}
+
 bool is_foreign_log(const std::filesystem::path& log)
 {
     std::string ending = log.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    constexpr std::array<std::string_view, 9> known{".mcap", ".bag", ".parquet", ".json", ".npz",
-                                                    ".mat",  ".h5",  ".hdf5",    ".nc"};
+    constexpr std::array<std::string_view, 10> known{".mcap", ".db3", ".bag", ".parquet", ".json",
+                                                     ".npz",  ".mat", ".h5",  ".hdf5",    ".nc"};
     return std::filesystem::is_directory(log) || std::find(known.begin(), known.end(), ending) != known.end();
 }
 
@@ -100,8 +105,7 @@ JointLog read_joint_log(const std::filesystem::path& log, const LoggedJoint& wan
 {
     if (!std::filesystem::exists(log)) throw BadInput(log.string() + ": there is no such file");
     if (!is_foreign_log(log)) return from_table(log, wanted, joint);
-    if (std::filesystem::is_directory(log) && !std::filesystem::exists(log / "joint_list.txt"))
-        return from_folder(log, wanted, joint);
+    if (std::filesystem::is_directory(log) && !is_folder_of_a_log(log)) return from_folder(log, wanted, joint);
     const ForeignLog converted(log, wanted.name, options);
     JointLog read;
     try {

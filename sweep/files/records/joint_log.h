@@ -34,6 +34,9 @@ JointLog read_joint_log(const std::filesystem::path& log, const LoggedJoint& wan
 /// Its last part, also of a folder that was given with a slash at its end.
 std::string name_of_log(const std::filesystem::path& log);
 
+/// A folder that is a log itself: SAGE's, or a bag of ROS 2.
+bool is_folder_of_a_log(const std::filesystem::path& folder);
+
 /// A format that the Python readers know, or a folder.
 bool is_foreign_log(const std::filesystem::path& log);
 

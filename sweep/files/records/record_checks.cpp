@@ -13,7 +13,8 @@ namespace stickslip::files {
 namespace {
 
 constexpr double many_turns = 4 * std::numbers::pi;  // two turns of a joint: more is a wheel, or degrees
-constexpr double long_axis = 10;                     // m; more is a crane, or millimetres
+constexpr double another_rate = 3;  // between a rate and what it is the rate of; a filter makes no such factor
+constexpr double long_axis = 10;    // m; more is a crane, or millimetres
 
 class Checks {
   public:
@@ -31,6 +32,9 @@ class Checks {
         const auto rate = differentiated(r_.time, r_.position);
         const auto reference_rate = differentiated(r_.time, r_.reference_position);
         compare("velocity", spread(r_.velocity), "the rate of position", spread(rate));
+        if (found_.empty())  // turns a minute, a tenth of that, motor beside joint: any factor
+            disproportion(size_of_rate(r_.time, r_.position, r_.velocity), another_rate, "velocity is", " times",
+                          " the rate of position");
         reference_unit(reference_rate);
         // a joint that follows badly may lag by half a period, a rate is rough with noise
         constexpr double follows = -0.9, is_the_same = -0.5;
@@ -121,8 +125,7 @@ class Checks {
                 given.push_back(std::abs(r_.reference_velocity[k])), expected.push_back(std::abs(rate[k]));
         constexpr std::size_t few = 20;
         if (given.size() < few) return;
-        constexpr double another_unit = 3;
-        disproportion(median(given) / median(expected), another_unit, "reference_velocity is", " times",
+        disproportion(median(given) / median(expected), another_rate, "reference_velocity is", " times",
                       " the rate of reference_position");
     }
 

@@ -35,6 +35,26 @@ std::vector<double> differentiated(const std::vector<double>& time, const std::v
     return rate;
 }
 
+double size_of_rate(const std::vector<double>& time, const std::vector<double>& values,
+                    const std::vector<double>& rates)
+{
+    constexpr std::size_t windows = 100, few = 20;
+    constexpr double together = 0.9;  // correlation
+    if (rates.size() != values.size() || values.size() < few) return 0;
+    const std::size_t width = std::max<std::size_t>(1, values.size() / windows);
+    double of_rates = 0, of_values = 0, of_both = 0;
+    for (std::size_t k = 0; k + width < values.size(); k += width) {
+        double mean = 0;
+        for (std::size_t i = k; i < k + width; ++i)
+            mean += 0.5 * (rates[i] + rates[i + 1]) / static_cast<double>(width);
+        const double moved = (values[k + width] - values[k]) / (time[k + width] - time[k]);
+        if (!std::isfinite(mean) || !std::isfinite(moved)) continue;
+        of_rates += mean * mean, of_values += moved * moved, of_both += mean * moved;
+    }
+    const bool alike = of_values > 0 && of_both > together * std::sqrt(of_rates * of_values);
+    return alike ? std::sqrt(of_rates / of_values) : 0;
+}
+
 double median(std::vector<double> values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -19,6 +19,11 @@ double wrong_factor(double ratio, Motion motion);
 /// Central differences, as many as rows; NaN at both ends.
 std::vector<double> differentiated(const std::vector<double>& time, const std::vector<double>& values);
 
+/// How many times the rate of `values` another column of rates is, by the means of both over hundredths of the record,
+/// in which noise and lag count for little; 0 where the two do not go together.
+double size_of_rate(const std::vector<double>& time, const std::vector<double>& values,
+                    const std::vector<double>& rates);
+
 double median(std::vector<double> values);
 
 /// Correlation of two signals where both have values; 0 where one stands still.

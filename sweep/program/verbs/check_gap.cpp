@@ -24,13 +24,12 @@
 namespace stickslip {
 namespace {
 
-/// Folders stand for the records in them, by name; a folder that is itself a log (SAGE) has no such file of ours alone.
+/// Folders stand for the records in them, by name; not one that is itself a log.
 std::vector<std::string> files_in(const std::vector<std::string>& given)
 {
     std::vector<std::string> files;
     for (const auto& path : given) {
-        const bool sage = std::filesystem::exists(std::filesystem::path(path) / "joint_list.txt");
-        if (!std::filesystem::is_directory(path) || sage) {
+        if (!std::filesystem::is_directory(path) || is_folder_of_a_log(path)) {
             files.push_back(path);
             continue;
         }

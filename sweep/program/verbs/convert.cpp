@@ -30,8 +30,9 @@ void add_convert(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
-        "convert", "Make a record in CSV from a log: MCAP, ROS 1 bag, Parquet, SAGE, BAM, .npz, .mat, HDF5, NetCDF");
-    verb->add_option("IN", options->log, "log, or folder of SAGE")->required();
+        "convert",
+        "Make a record in CSV from a log: bags of ROS 2 and 1, Parquet, SAGE, BAM, .npz, .mat, HDF5, NetCDF");
+    verb->add_option("IN", options->log, "log, or folder of SAGE or of a ROS 2 bag")->required();
     verb->add_option("OUT", options->csv, "record to write, .csv or .csv.gz")->required();
     verb->add_option("--joint", options->joint, "name of the joint, where the log has several");
     add_log_options(*verb, options->how);

@@ -108,6 +108,9 @@ TEST_CASE("a force without a name beats a cause only by a clear part of what the
     CHECK_FALSE(clearly_better({"position", leaving(1.0)}, leaving(1.003)));
     CHECK_FALSE(clearly_better({"position", leaving(2.7)}, leaving(3.0)));
     CHECK(clearly_better({"position", leaving(1.5)}, leaving(3.0)));
+    // what it gains may be the error of a known load
+    CHECK_FALSE(clearly_better({"position", leaving(1.0), 0.07}, leaving(1.06)));
+    CHECK(clearly_better({"position", leaving(1.0), 0.04}, leaving(1.06)));
 }
 
 TEST_CASE("a load that is picked up on the way is found as an inertia that changes, with its size", "[gap]")

@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-constexpr int locus_gains = 400, late_gains = 120;  // where roots have no end, each gain costs a search
+constexpr int locus_gains = 400, delayed_gains = 120;  // where roots have no end, each gain costs a search
 
 /// Where a root lies that decides stability: those far to the left would squeeze the rest into a line.
 double reach(const std::vector<std::vector<std::complex<double>>>& rows)
@@ -73,7 +73,7 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
     RootLocus locus;
     locus.rational = loop_kind(joint) == LoopKind::sampled ||
                      (joint.dead_time() == 0 && linear_joint(joint, steady.velocity).rational());
-    locus.gains = log_steps(low, high, locus.rational ? locus_gains : late_gains);
+    locus.gains = log_steps(low, high, locus.rational ? locus_gains : delayed_gains);
     if (!sample(locus, joint)) return std::nullopt;
     locus.own_gain = joint.control.k_p;
     locus.own = root_locus(joint, {joint.control.k_p}).front();

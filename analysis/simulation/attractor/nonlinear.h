@@ -20,7 +20,7 @@ struct NonlinearOptions {
 
 /// Integrates the joint through its disturbance and says where it ends. A joint that has no nonlinear answer gets its
 /// reason (no velocity, linear_only, unsupported, …); exceptions never. Safe to call from many threads. Of friction
-/// that answers late, stability and folds of the cycles are not computed.
+/// that is delayed, stability and folds of the cycles are not computed.
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options);
 
 /// Writes a verdict into the nonlinear fields of a row whose linear fields stand; a bistable joint changes its region.

@@ -117,7 +117,7 @@ SetPoint with_bristles(const Regulator& regulator, const Friction& law, const Re
 }
 
 /// Whether the command acts later than the error that it answers.
-bool late(const Joint& joint)
+bool delayed(const Joint& joint)
 {
     return is_set(joint.control.period) || joint.control.delay > 0 || joint.sensor.delay > 0 || joint.actuator.lag > 0;
 }
@@ -127,7 +127,7 @@ bool late(const Joint& joint)
 bool pushes_itself(const Joint& joint, const Regulator& regulator, double held)
 {
     const auto& push = regulator.push;
-    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && late(joint);
+    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && delayed(joint);
 }
 
 SetPoint pushed_about(SetPointReason reason)

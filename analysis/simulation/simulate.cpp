@@ -1,5 +1,6 @@
 #include "analysis/simulation/simulate.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/simulation/flows/mode.h"
 #include "analysis/simulation/mirrored.h"
@@ -203,6 +204,7 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
 
 Trajectory simulate(const Joint& asked, const SimulateOptions& options)
 {
+    require_valid(options);
     Trajectory path;
     Joint joint = asked;
     const bool driven =

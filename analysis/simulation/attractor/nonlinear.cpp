@@ -1,6 +1,7 @@
 // The verdict on one joint: where a disturbance ends, and which outcomes coexist.
 #include "analysis/simulation/attractor/nonlinear.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/attractor/criticality.h"
 #include "analysis/simulation/attractor/growth.h"
@@ -219,8 +220,18 @@ NonlinearVerdict verdict_of_flow(const Joint& joint, const NonlinearOptions& opt
 
 }  // namespace
 
+std::string NonlinearOptions::problem() const
+{
+    return first_problem(tolerance_problem(rtol),
+                         problem_unless(turn_limit >= 1, "turn_limit", turn_limit, "at least 1"),
+                         problem_unless(effort > 0 && std::isfinite(effort), "effort", effort, "a number above 0"),
+                         problem_unless(!std::isinf(disturbance.size), "disturbance.size", disturbance.size,
+                                        "a finite number, or NaN for a small one"));
+}
+
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
+    require_valid(options);
     if (has_real_loop(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
     const double V0 = commanded_velocity(joint);
     if (!(V0 < 0)) return verdict_of_flow(joint, options);

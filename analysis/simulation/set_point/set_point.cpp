@@ -1,5 +1,6 @@
 #include "analysis/simulation/set_point/set_point.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/set_point/hunting_search.h"
 #include "analysis/simulation/set_point/presliding.h"
@@ -227,8 +228,14 @@ bool integrates(const Joint& joint)
     return gains_of(joint.control).k_i != 0;
 }
 
+std::string SetPointQuestion::problem() const
+{
+    return problem_unless(starts_per_decade >= 1, "starts_per_decade", starts_per_decade, "at least 1");
+}
+
 SetPoint set_point(const Joint& joint, const SetPointQuestion& question)
 {
+    require_valid(question);
     SetPoint s = decided(joint, question);
     const auto friction = resting_friction(joint.friction);
     if (friction.reason == SetPointReason::none) s.own_level = friction.friction.dry.breakaway;

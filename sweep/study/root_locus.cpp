@@ -4,6 +4,7 @@
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/study.h"
 #include "sweep/study/samples.h"
 
 #include <algorithm>
@@ -78,6 +79,20 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
     locus.own_gain = joint.control.k_p;
     locus.own = root_locus(joint, {joint.control.k_p}).front();
     locus.crossings = locate_on_ray(joint, "control.k_p", low, high, true, Curve::Kind::state_variable);
+    return locus;
+}
+
+std::vector<GainRoots> coarse_root_locus(const Joint& joint)
+{
+    const bool finite = (loop_kind(joint) == LoopKind::sampled && !many_dead_ticks(joint)) ||
+                        (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
+    const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
+    std::vector<double> gains;
+    for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
+    const auto rows = root_locus(joint, gains);
+    if (rows.empty()) return {};
+    std::vector<GainRoots> locus;
+    for (std::size_t i = 0; i < gains.size(); ++i) locus.push_back({gains[i], rows[i]});
     return locus;
 }
 

@@ -30,7 +30,7 @@ struct Requirements {
 /// front asks for each margin in turn. Velocity-only thinking solves the same problem with steady-state friction, and
 /// is then judged with memory. Throws std::invalid_argument for requirements that mean nothing (no noise, no sample
 /// time, empty ranges).
-/// Real loops and friction that answers late are searched by fewer gains (search_effort() multiplies them), each judged
+/// Real loops and delayed friction are searched by fewer gains (search_effort() multiplies them), each judged
 /// along the directions that were found to be near.
 using DesignListener = std::function<void(DesignStage)>;
 GainDesign design_gains(const Joint& joint, const Requirements& requirements, const ParallelFor& parallel,

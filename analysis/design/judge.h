@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, demand_count> demand_names{"margin", "e
 using Violations = std::array<double, demand_count>;
 
 /// What one verdict takes: of a real loop its eigenvalues, a hundred times as long as of a mass in the ideal loop, and
-/// of friction that answers late counts of roots, ten times as long again.
+/// of delayed friction counts of roots, ten times as long again.
 enum class VerdictCost { small, eigenvalues, counts };
 
 class Judge {

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/diagnose.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/diagnosis/audit/continuous_loop.h"
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/inspect.h"
@@ -214,9 +215,15 @@ void tell_interrupted(DiagnosisStage stage, const Joint& joint, DiagnosisResult&
 
 }  // namespace
 
+std::string DiagnosisOptions::problem() const
+{
+    return problem_unless(ensemble >= 2, "ensemble", ensemble, "at least 2: a spread needs two runs");
+}
+
 DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
                          const DiagnosisOptions& options)
 {
+    require_valid(options);
     DiagnosisResult result{{}, joint};
     result.diagnosis.motion = joint.mechanism.motion;
     if (records.empty()) throw CannotAnswer(CannotAnswer::Why::no_record, "");

@@ -40,7 +40,7 @@ FrictionResponse lagged_response(const StaticParts& lagged, double lag, double V
 }
 
 /// The law whose force s, state i, follows the curve late.
-FrictionResponse late_response(const StaticParts& now, double lag, double V, double s, int i)
+FrictionResponse delayed_response(const StaticParts& now, double lag, double V, double s, int i)
 {
     const double direction = std::copysign(1.0, V);
     FrictionResponse r = slide({s, 0}, 0, V);
@@ -112,7 +112,7 @@ FrictionResponse respond(const Friction& friction, double V, const States& theta
     if (friction.has_lag()) {
         const Memory& m = friction.memory;
         if (const auto parts = static_parts(friction.law, m.lag_viscous ? std::abs(V) : theta[next]))
-            r = m.lag_viscous ? late_response(*parts, m.lag, V, theta[next], next)
+            r = m.lag_viscous ? delayed_response(*parts, m.lag, V, theta[next], next)
                               : lagged_response(*parts, m.lag, V, theta[next], next);
         ++next;
     }

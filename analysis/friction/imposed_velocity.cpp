@@ -42,7 +42,7 @@ ImposedMotion impose_velocity(const Friction& friction, const std::vector<Veloci
 {
     const auto* kernel = std::get_if<Kernel>(&friction.law);
     const bool history = kernel ? kernel->impulses.size > 0 || kernel->samples : info(friction.law).needs_history;
-    if (history) throw std::invalid_argument("friction that answers late has no states to follow");
+    if (history) throw std::invalid_argument("delayed friction has no states to follow");
     if (samples < 2 || pieces.empty()) throw std::invalid_argument("needs at least one piece and two samples");
     const int n = states(friction);
     States theta = steady_state(friction, pieces.front().velocity(0));

@@ -1,4 +1,4 @@
-// Time lag: a steady-state curve that answers late.
+// Time lag: a steady-state curve that is delayed.
 #pragma once
 #include "analysis/friction/ageing.h"
 #include "analysis/friction/any_law.h"

@@ -82,11 +82,11 @@ void require_room(Reduction& r)
     for (const bool on_link : {false, true}) {
         if (!on_link && r.joint.mechanism.model == Model::single_mass) continue;
         const Friction& own = on_link ? link_friction(r.joint) : r.joint.frictions.motor;
-        int total = states(own), late = info(own.law).needs_history;
+        int total = states(own), delayed = info(own.law).needs_history;
         for (const auto& j : r.joined)
-            if (j.on_link == on_link) total += states(j.friction), late += info(j.friction.law).needs_history;
+            if (j.on_link == on_link) total += states(j.friction), delayed += info(j.friction.law).needs_history;
         require(total <= max_states, "the frictions that meet on one body have more states than one body may have");
-        require(late <= 1, "two frictions that remember by delays or tables meet on one body");
+        require(delayed <= 1, "two frictions that remember by delays or tables meet on one body");
     }
 }
 

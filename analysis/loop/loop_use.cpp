@@ -22,11 +22,11 @@ LoopKind loop_kind(const Joint& joint)
     const auto& a = joint.actuator;
     if (!feeds_back(joint)) return LoopKind::ideal;
     if (is_set(c.period)) return LoopKind::sampled;
-    const bool late = joint.dead_time() > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
+    const bool delayed = joint.dead_time() > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
     const bool pushes = is_set(c.V0) && push_slope(c.feed_forward, c.V0) != 0;
     const bool other = pushes || gains_of(c).k_i != 0 || a.effort_gain != 1 || joint.sensor.position_scale != 1 ||
                        a.sag_effort < infinity || a.kind == ActuatorKind::dc_motor;
-    return late || other ? LoopKind::continuous : LoopKind::ideal;
+    return delayed || other ? LoopKind::continuous : LoopKind::ideal;
 }
 
 namespace {

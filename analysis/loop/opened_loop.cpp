@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-Eigen::MatrixXd both(const LateLoop& loop)
+Eigen::MatrixXd both(const DelayedLoop& loop)
 {
     Eigen::MatrixXd rows(2, loop.A.cols());
     rows << loop.output, loop.held;
@@ -23,7 +23,7 @@ Eigen::MatrixXd both(const LateLoop& loop)
 
 }  // namespace
 
-OpenedLoop::OpenedLoop(const LateLoop& loop)
+OpenedLoop::OpenedLoop(const DelayedLoop& loop)
     : delay_(loop.delay),
       period_(loop.period),
       end_(loop.period > 0 ? pi / loop.period : infinity),
@@ -40,9 +40,9 @@ OpenedLoop::OpenedLoop(const LateLoop& loop)
         else if (std::abs(1.0 + v) > forgotten)
             poles_.push_back(std::abs(v) < integrates * period_ ? 0.0 : log_beyond_one(v) / period_);
     }
-    double late = delay_;
-    for (const auto& f : loop.friction) late += f.memory;
-    if (late > 0) turns_in_ = 1 / late;
+    double behind = delay_;
+    for (const auto& f : loop.friction) behind += f.memory;
+    if (behind > 0) turns_in_ = 1 / behind;
     if (loop.friction.empty()) {
         exact_poles_ = poles_;
         return;
@@ -61,7 +61,7 @@ Complex OpenedLoop::variable(Complex s) const
     return period_ > 0 ? beyond_one(s * period_) : s;
 }
 
-std::pair<Complex, Complex> OpenedLoop::late_share(Complex s) const
+std::pair<Complex, Complex> OpenedLoop::delayed_share(Complex s) const
 {
     if (ticked_share_) return ticked_share_->at(s);
     std::array<Complex, 2> added;
@@ -73,19 +73,19 @@ std::pair<Complex, Complex> OpenedLoop::prompt(Complex s) const
 {
     std::array<Complex, 2> r;
     responses_.at(variable(s), r.data());
-    if (!answers_late()) return {r[0], r[1]};
-    const auto more = late_share(s);
+    if (!has_delayed_friction()) return {r[0], r[1]};
+    const auto more = delayed_share(s);
     return {r[0] + more.first, r[1] + more.second};
 }
 
 Response OpenedLoop::closing(double gain, Complex s) const
 {
-    if (answers_late()) {
+    if (has_delayed_friction()) {
         constexpr double beside = 1e-5;
         const double h = beside * std::min(std::abs(s), turns_in_);
         const auto value = [&](Complex at) {
             const auto [out, held] = prompt(at);
-            return 1.0 + (gain * out - held) * late(at);
+            return 1.0 + (gain * out - held) * delayed(at);
         };
         return {value(s), (value(s + h) - value(s - h)) / (2 * h)};
     }
@@ -93,12 +93,12 @@ Response OpenedLoop::closing(double gain, Complex s) const
     responses_.at(variable(s), r.data());
     const Complex per_s = period_ > 0 ? period_ * std::exp(s * period_) : 1.0;
     const Complex value = gain * r[0].value - r[1].value, slope = per_s * (gain * r[0].slope - r[1].slope);
-    return {1.0 + value * late(s), (slope - delay_ * value) * late(s)};
+    return {1.0 + value * delayed(s), (slope - delay_ * value) * delayed(s)};
 }
 
 Complex OpenedLoop::towards(Complex s) const
 {
-    const Complex behind = late(s);
+    const Complex behind = delayed(s);
     const auto [out, held] = prompt(s);
     return -out * behind / (1.0 - held * behind);
 }

@@ -1,6 +1,6 @@
-// A late loop opened at its command, at any s: what every search over it asks.
+// A delayed loop opened at its command, at any s: what every search over it asks.
 #pragma once
-#include "analysis/loop/late_loop.h"
+#include "analysis/loop/delayed_loop.h"
 #include "analysis/loop/resolvent.h"
 #include "analysis/loop/ticked_share.h"
 
@@ -9,24 +9,24 @@ namespace stickslip {
 class OpenedLoop {
   public:
     using Complex = std::complex<double>;
-    explicit OpenedLoop(const LateLoop& loop);
+    explicit OpenedLoop(const DelayedLoop& loop);
 
     /// output (…)⁻¹ input and held (…)⁻¹ input, without dead time.
     std::pair<Complex, Complex> prompt(Complex s) const;
-    Complex late(Complex s) const { return std::exp(-s * delay_); }
+    Complex delayed(Complex s) const { return std::exp(-s * delay_); }
     /// 1 + L(s) and its derivative, all gains closed.
     Response closing(double gain, Complex s) const;
     /// −T of the turned gain, the base closed: a positive real number where a positive gain puts a root at s.
     Complex towards(Complex s) const;
 
-    /// What one place costs, per one of a loop without late friction.
+    /// What one place costs, per one of a loop without delayed friction.
     double cost() const { return ticked_share_ ? ticked_share_->cost() : 1; }
 
     /// Up to where the imaginary axis is looked at: half the sampling rate, or without end.
     double end() const { return end_; }
     /// Over which the phase turns by one radian without anything else in the loop.
     double turns_in() const { return turns_in_; }
-    /// The poles of what is no late friction.
+    /// The poles of what is no delayed friction.
     const std::vector<Complex>& poles() const { return poles_; }
     /// Those that are poles of the whole opened loop, too.
     const std::vector<Complex>& exact_poles() const { return exact_poles_; }
@@ -42,15 +42,15 @@ class OpenedLoop {
 
   private:
     Complex variable(Complex s) const;
-    std::pair<Complex, Complex> late_share(Complex s) const;
-    bool answers_late() const { return share_ || ticked_share_; }
+    std::pair<Complex, Complex> delayed_share(Complex s) const;
+    bool has_delayed_friction() const { return share_ || ticked_share_; }
 
     double delay_, period_, end_, turns_in_;
     Resolvent responses_;
     std::vector<Complex> poles_, exact_poles_;
     std::function<std::optional<int>(double)> mechanism_right_of_;
     std::vector<double> other_poles_;
-    std::optional<LateShare> share_;           ///< of a continuous loop
+    std::optional<DelayedShare> share_;        ///< of a continuous loop
     std::optional<TickedShare> ticked_share_;  ///< of a sampled one
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/loop/late_count.h"
+#include "analysis/loop/root_count.h"
 
 namespace stickslip {
 namespace {

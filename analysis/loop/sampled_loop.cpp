@@ -59,7 +59,7 @@ Exponential exponential(const MatrixXd& given, double h)
 /// What a whole period makes of the state, and of the commands that act in its first part and in the rest.
 struct Period {
     MatrixXd difference;  ///< e^{AT} − 1
-    Eigen::VectorXd late, fresh;
+    Eigen::VectorXd delayed, fresh;
 };
 
 Period over_period(const LoopPlant& plant, double before, double after)
@@ -69,7 +69,7 @@ Period over_period(const LoopPlant& plant, double before, double after)
     if (before == 0) return p;
     const auto [first, E_first] = exponential(plant.A, before);
     const Eigen::VectorXd pushed = first * plant.B;
-    p.late = pushed + E * pushed;
+    p.delayed = pushed + E * pushed;
     p.difference = E + E_first + E * E_first;
     return p;
 }
@@ -108,7 +108,7 @@ LoopOfTicks assembled(const LoopPlant& plant, const LoopTiming& t, const LoopGai
 {
     constexpr double whole = 1e-12;  // of a tick: what rounding of delay/period is
     const double ticks = t.delay / t.period;
-    const int all = static_cast<int>(std::floor(ticks + whole)), late = aside ? 0 : all;
+    const int all = static_cast<int>(std::floor(ticks + whole)), delayed = aside ? 0 : all;
     const double fraction = std::max(0.0, ticks - all) > whole ? ticks - all : 0;
     const auto period = over_period(plant, fraction * t.period, (1 - fraction) * t.period);
 
@@ -117,7 +117,7 @@ LoopOfTicks assembled(const LoopPlant& plant, const LoopTiming& t, const LoopGai
     const bool sums = base.integral != 0 || turned.integral != 0;
     // two sums that no estimate decays into each other are one integrator: apart, their difference would stay for ever
     const bool joined = sums && travels && t.exact, integrates = sums && !joined;
-    const int held = late + (fraction > 0);
+    const int held = delayed + (fraction > 0);
     const Layout at = layout_of(plant, t, estimates, integrates, travels, held);
     const auto unit = [&](int i) { return RowVectorXd(RowVectorXd::Unit(at.size, i)); };
     const auto of_plant = [&](const RowVectorXd& row) {
@@ -180,8 +180,8 @@ LoopOfTicks assembled(const LoopPlant& plant, const LoopTiming& t, const LoopGai
             D.col(at.commands + back - 1).head(at.plant) += push;
         }
     };
-    drive(period.fresh, late);
-    if (fraction > 0) drive(period.late, late + 1);
+    drive(period.fresh, delayed);
+    if (fraction > 0) drive(period.delayed, delayed + 1);
     for (int i = 0; i < held; ++i) {
         D.row(at.commands + i) = (i == 0 ? newest : unit(at.commands + i - 1)) - unit(at.commands + i);
         if (i == 0) loop.input[at.commands] = 1;

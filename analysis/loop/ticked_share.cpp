@@ -50,7 +50,7 @@ double binomial(int n, int k)
 
 }  // namespace
 
-TickedShare::TickedShare(const TickedFriction& ticked, const std::vector<LateFriction>& friction,
+TickedShare::TickedShare(const TickedFriction& ticked, const std::vector<DelayedFriction>& friction,
                          const Resolvent& responses)
     : ticked_(ticked),
       period_(ticked.timing.period),
@@ -72,14 +72,14 @@ void TickedShare::take_answers()
 {
     constexpr std::size_t few = 2;
     constexpr int further = 4;
-    std::vector<Late> all;
+    std::vector<Delayed> all;
     for (const auto& f : friction_)
         for (const auto& d : f.delays) all.push_back({&f, d});
     if (friction_.size() == 1 && all.size() <= few) {
         terms_ = further;
         for (int term = 1; term <= terms_; ++term)
             for (int second = 0; second <= (all.size() > 1 ? term : 0); ++second) {
-                std::vector<Late> behind(static_cast<std::size_t>(term - second), all[0]);
+                std::vector<Delayed> behind(static_cast<std::size_t>(term - second), all[0]);
                 behind.insert(behind.end(), static_cast<std::size_t>(second), all.back());
                 take_answer(behind, binomial(term, second));
             }
@@ -96,7 +96,7 @@ void TickedShare::take_answers()
 }
 
 /// The mechanism behind itself, the speed of each pushing the next, `times` over.
-void TickedShare::take_answer(const std::vector<Late>& delays, double times)
+void TickedShare::take_answer(const std::vector<Delayed>& delays, double times)
 {
     const auto& plant = ticked_.plant;
     const auto n = plant.A.rows(), all = n * static_cast<Eigen::Index>(delays.size() + 1);
@@ -156,9 +156,9 @@ TickedShare::Added TickedShare::answered_early(Complex s) const
     std::array<Complex, 2> values;
     for (const auto& a : answers_) {
         a.of_ticks.at(beyond_one(s * period_), values.data());
-        const Complex late = std::exp(-s * (a.whole_ticks * period_));
-        sum.reading += late * values[0];
-        sum.rate += late * values[1];
+        const Complex delayed = std::exp(-s * (a.whole_ticks * period_));
+        sum.reading += delayed * values[0];
+        sum.rate += delayed * values[1];
     }
     return sum;
 }
@@ -172,34 +172,34 @@ TickedShare::Added TickedShare::answered_further(Complex s, int aliases) const
     constexpr std::size_t few = 16;
     std::array<Complex, few> some;
     std::vector<Complex> many(turns_.size() > few ? turns_.size() : 0);
-    Complex* const late = turns_.size() > few ? many.data() : some.data();
+    Complex* const delayed = turns_.size() > few ? many.data() : some.data();
     Added sum{};
     std::array<Complex, 2> added;
-    std::array<LateShare::Answer, LateShare::most_late> answers;
+    std::array<DelayedShare::Answer, DelayedShare::most_delayed> answers;
     const auto take = [&](double shift) {
         const Complex at = s + Complex(0, shift);
         std::size_t next = 1;
         for (std::size_t i = 0; i < friction_.size(); ++i) {
             Complex delays = 0;
-            for (const auto& d : friction_[i].delays) delays += d.weight * late[next++];
+            for (const auto& d : friction_[i].delays) delays += d.weight * delayed[next++];
             answers[i] = {friction_[i].only_delays ? delays : friction_[i].answer(at), delays};
         }
         share_.at(at, terms_, answers.data(), added.data());
-        const Complex hold = quotient(held, at) * late[0];
+        const Complex hold = quotient(held, at) * delayed[0];
         sum.reading += hold * added[0];
         sum.rate += hold * added[1];
     };
     const auto begin = [&] {
-        late[0] = std::exp(-s * fraction_);
+        delayed[0] = std::exp(-s * fraction_);
         std::size_t next = 1;
         for (const auto& f : friction_)
-            for (const auto& d : f.delays) late[next++] = std::exp(-s * d.time);
+            for (const auto& d : f.delays) delayed[next++] = std::exp(-s * d.time);
     };
     for (const int side : {1, -1}) {
         begin();
         if (side > 0) take(0);
         for (int n = 1; n <= aliases; ++n) {
-            for (std::size_t k = 0; k < turns_.size(); ++k) late[k] *= side > 0 ? turns_[k] : std::conj(turns_[k]);
+            for (std::size_t k = 0; k < turns_.size(); ++k) delayed[k] *= side > 0 ? turns_[k] : std::conj(turns_[k]);
             take(side * n * step);
         }
     }

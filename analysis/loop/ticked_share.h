@@ -1,21 +1,21 @@
-// What friction that answers late adds to a sampled loop: to its reading and rate at the ticks, and so to its commands.
+// What delayed friction adds to a sampled loop: to its reading and rate at the ticks, and so to its commands.
 #pragma once
 #include <complex>
 #include <utility>
 #include <vector>
 
-#include "analysis/loop/late_share.h"
+#include "analysis/loop/delayed_share.h"
 
 namespace stickslip {
 
 class TickedShare {
   public:
     using Complex = std::complex<double>;
-    /// `responses`: of the loop without late friction, the gains that are turned first, at e^{sT} − 1.
-    TickedShare(const TickedFriction& ticked, const std::vector<LateFriction>& friction, const Resolvent& responses);
+    /// `responses`: of the loop without delayed friction, the gains that are turned first, at e^{sT} − 1.
+    TickedShare(const TickedFriction& ticked, const std::vector<DelayedFriction>& friction, const Resolvent& responses);
     /// To the responses of what is turned, and of what is held.
     std::pair<Complex, Complex> at(Complex s) const;
-    /// What one place costs, per one of a loop without late friction: four aliases take its time.
+    /// What one place costs, per one of a loop without delayed friction: four aliases take its time.
     double cost() const { return 1 + aliases_ / 4.0; }
 
   private:
@@ -30,21 +30,21 @@ class TickedShare {
         int whole_ticks;
     };
     /// The force of one delay.
-    struct Late {
-        const LateFriction* friction;
-        LateFriction::Delay delay;
+    struct Delayed {
+        const DelayedFriction* friction;
+        DelayedFriction::Delay delay;
     };
     Added answered_early(Complex s) const;
     Added answered_further(Complex s, int aliases) const;
     void take_answers();
-    void take_answer(const std::vector<Late>& delays, double times);
+    void take_answer(const std::vector<Delayed>& delays, double times);
     void take_turns();
     void choose_aliases(const Resolvent& responses);
 
     TickedFriction ticked_;
     double period_;
-    std::vector<LateFriction> friction_;
-    LateShare share_;
+    std::vector<DelayedFriction> friction_;
+    DelayedShare share_;
     std::vector<Answer> answers_;
     double fraction_ = 0;  ///< s, of the dead time beyond whole ticks
     /// By how much a delay turns from alias to alias, e^{−2πi t/T}: of the fraction, then of each delay.

@@ -9,7 +9,7 @@ namespace stickslip {
 enum class Detail : std::uint8_t {
     none,
     // no motion is followed about steady sliding
-    late_with_memory,    ///< friction that answers late, with memory on top of it
+    late_with_memory,    ///< delayed friction, with memory on top of it
     moving_normal_load,  ///< part of the linear theory only
     neighbours,          ///< likewise
     backlash,            ///< leaves no steady sliding to disturb

@@ -40,7 +40,7 @@ enum class Outcome : std::uint8_t {
     solver_failure
 };
 
-/// Which method decided the outcome; `steps` is the method of steps, for friction that answers late, `ticks` the real
+/// Which method decided the outcome; `steps` is the method of steps, for delayed friction, `ticks` the real
 /// loop, followed tick by tick; `interpolation` followed nothing: neighbours decided, and checks among them.
 enum class DecisionPath : std::uint8_t { none, lanes, cvode, shooting, steps, ticks, interpolation };
 

@@ -1,6 +1,7 @@
 #include "analysis/simulation/simulate.h"
 
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/base/require_valid.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/simulation/flows/mode.h"
 #include "analysis/simulation/mirrored.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
@@ -104,12 +105,12 @@ void keep(const ChainFlow& flow, const Instant& now, Trajectory& path)
     keep(now.t, flow.position(now.y), now.velocity, moving.link_friction(now.y), moving.link_stuck(), path);
 }
 
-void keep(const LateFlow& flow, const Instant& now, Trajectory& path)
+void keep(const DelayedFlow& flow, const Instant& now, Trajectory& path)
 {
     const auto& chain = flow.chain();
     const auto& link = chain.body[chain.link()];
     for (int i = 0; i < link.states; ++i) path.states[i].push_back(now.y[link.first_state + i]);
-    const auto& moving = static_cast<const LateFlow&>(now.flow);
+    const auto& moving = static_cast<const DelayedFlow&>(now.flow);
     keep(now.t, flow.position(now.y), now.velocity, moving.link_friction(now.y), moving.link_stuck(), path);
 }
 
@@ -121,7 +122,7 @@ int link_states(const ChainFlow& flow)
 {
     return flow.body[flow.link()].states;
 }
-int link_states(const LateFlow& flow)
+int link_states(const DelayedFlow& flow)
 {
     return link_states(flow.chain());
 }
@@ -133,7 +134,7 @@ double link_steady_friction(const ChainFlow& flow)
 {
     return flow.body[flow.link()].steady_friction;
 }
-double link_steady_friction(const LateFlow& flow)
+double link_steady_friction(const DelayedFlow& flow)
 {
     return link_steady_friction(flow.chain());
 }
@@ -146,7 +147,7 @@ const Friction& link_friction_of(const ChainFlow& flow)
 {
     return flow.body[flow.link()].friction;
 }
-const Friction& link_friction_of(const LateFlow& flow)
+const Friction& link_friction_of(const DelayedFlow& flow)
 {
     return link_friction_of(flow.chain());
 }
@@ -203,6 +204,7 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
 
 Trajectory simulate(const Joint& asked, const SimulateOptions& options)
 {
+    require_valid(options);
     Trajectory path;
     Joint joint = asked;
     const bool driven =
@@ -225,8 +227,8 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
         follow(found.flow, backwards ? mirrored(options, friction, V0) : options, path);
         if (backwards) mirror(path, friction);
     };
-    if (answers_late(joint))
-        attempt(late_flow(joint));
+    if (has_delayed_friction(joint))
+        attempt(delayed_flow(joint));
     else if (joint.mechanism.model != Model::single_mass)
         attempt(chain_flow(joint));
     else

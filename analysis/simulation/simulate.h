@@ -5,6 +5,8 @@
 #include "analysis/simulation/flows/disturbance.h"
 #include "analysis/stability/forced_response.h"
 
+#include <string>
+
 namespace stickslip {
 
 struct SimulateOptions {
@@ -16,11 +18,15 @@ struct SimulateOptions {
     double rtol = 1e-8;
     std::uint64_t seed = 1;      ///< of the noise of a real loop
     bool fallback_only = false;  ///< Rodas5P in place of CVODE
+
+    /// What is wrong with them; empty if nothing.
+    std::string problem() const;
 };
 
 /// Integrates the joint from its disturbance on and keeps every step of the solver. With a normal load the joint slides
-/// steadily under the first one before, and positions are in excess of that path. Never throws: a joint without
-/// equations of motion gives an empty trajectory and the reason, a solver that fails the part that it reached.
+/// steadily under the first one before, and positions are in excess of that path. A joint without
+/// equations of motion gives an empty trajectory and the reason, a solver that fails the part that it reached. Throws
+/// std::invalid_argument for options with a problem(), and for nothing else.
 Trajectory simulate(const Joint& joint, const SimulateOptions& options);
 
 }  // namespace stickslip

@@ -277,7 +277,7 @@ class Edge {
 
 }  // namespace
 
-double late_abscissa(const LinearJoint& joint)
+double delayed_abscissa(const LinearJoint& joint)
 {
     return Edge(joint).abscissa();
 }

@@ -10,7 +10,7 @@ namespace stickslip {
 
 /// max Re s: the real part of a root found by Newton's method right of which counting finds none; where Newton finds
 /// none, bisection on counts. NaN if the joint is not finite or the roots cannot be counted.
-double late_abscissa(const LinearJoint& joint);
+double delayed_abscissa(const LinearJoint& joint);
 
 /// The rightmost roots, descending in the real part: every root right of the last of them, as counting confirms. Some
 /// twenty to forty; fewer where Newton's method does not find one of those that were counted.

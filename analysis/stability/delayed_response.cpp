@@ -16,23 +16,23 @@ constexpr int nodes = 4;          ///< of the cubic in a step
 constexpr double resolved = 0.1;  ///< of the fastest rate, per step: what was fast comes back late
 constexpr double inside = 1e-9;   ///< share of a step by which its ends look inwards, where history has a kink
 
-/// Late force on a body: `velocity`, `position` or `area` (∫x dt) of that body, `time` ago, times `weight`.
-struct LateTerm {
+/// Delayed force on a body: `velocity`, `position` or `area` (∫x dt) of that body, `time` ago, times `weight`.
+struct DelayedTerm {
     int body;
     double time, velocity, position, area;
 };
 
-/// y' = A y + Σ b (late terms): y of state_matrix and, for each body, the area ∫x dt behind it. Twice integrated by
+/// y' = A y + Σ b (delayed terms): y of state_matrix and, for each body, the area ∫x dt behind it. Twice integrated by
 /// parts, ∫g(t') v(t − t') dt' of straight lines is a sum over the bends of g.
-struct LateSystem {
+struct DelayedSystem {
     Eigen::MatrixXd A;
     std::array<int, max_bodies> area{};  ///< index of ∫x dt
-    std::vector<LateTerm> terms;
+    std::vector<DelayedTerm> terms;
 };
 
-LateSystem late_system(const LinearJoint& j)
+DelayedSystem delayed_system(const LinearJoint& j)
 {
-    LateSystem s;
+    DelayedSystem s;
     const Eigen::MatrixXd inner = state_matrix(j);
     Eigen::Index n = inner.rows();
     s.A = Eigen::MatrixXd::Zero(n + j.bodies, n + j.bodies);
@@ -72,7 +72,7 @@ class History {
         left_.push_back(left);
         right_.push_back(right);
     }
-    double late(const LateTerm& term, double t) const
+    double delayed(const DelayedTerm& term, double t) const
     {
         if (t < 0 || time_.size() < 2) return 0;
         const auto after = std::upper_bound(time_.begin(), time_.end(), t) - time_.begin();
@@ -131,7 +131,7 @@ std::array<double, nodes> cubic(const std::array<double, nodes>& f)
 }
 
 /// Where steps must end beside the force's samples.
-std::vector<double> kinks(const std::vector<LateTerm>& terms, double end)
+std::vector<double> kinks(const std::vector<DelayedTerm>& terms, double end)
 {
     std::vector<double> all;
     for (const auto& a : terms) {
@@ -150,7 +150,7 @@ std::vector<double> kinks(const std::vector<LateTerm>& terms, double end)
 // In one piece: the method of steps, with its history as local state.
 ForcedResponse delayed_response(const LinearJoint& j, const SampledForce& force)
 {
-    const auto system = late_system(j);
+    const auto system = delayed_system(j);
     const int link = j.link();
     double longest = force.step;
     for (const auto& term : system.terms) longest = std::min(longest, term.time);
@@ -171,13 +171,13 @@ ForcedResponse delayed_response(const LinearJoint& j, const SampledForce& force)
         response.position.push_back(y[link]);
         response.velocity.push_back(y[j.bodies + link]);
     };
-    const auto late_forces = [&](double t) {
+    const auto delayed_forces = [&](double t) {
         std::array<double, max_bodies> f{};
-        for (const auto& term : system.terms) f[term.body] += history.late(term, t - term.time);
+        for (const auto& term : system.terms) f[term.body] += history.delayed(term, t - term.time);
         return f;
     };
     const auto slope_at = [&](double t, double d) {
-        auto f = late_forces(t);
+        auto f = delayed_forces(t);
         f[link] += d;
         Eigen::VectorXd rate = system.A * y;
         for (int i = 0; i < j.bodies; ++i) rate[j.bodies + i] += f[i] / j.inertia[i];
@@ -185,14 +185,14 @@ ForcedResponse delayed_response(const LinearJoint& j, const SampledForce& force)
     };
     const auto advance = [&](double t, double h, double d) {
         const auto& m = matrices(h);
-        std::array<std::array<double, nodes>, max_bodies> late{};
+        std::array<std::array<double, nodes>, max_bodies> delayed{};
         for (int q = 0; q < nodes; ++q) {
-            const auto f = late_forces(t + h * std::clamp(q / 3.0, inside, 1 - inside));
-            for (int i = 0; i < j.bodies; ++i) late[i][q] = f[i];
+            const auto f = delayed_forces(t + h * std::clamp(q / 3.0, inside, 1 - inside));
+            for (int i = 0; i < j.bodies; ++i) delayed[i][q] = f[i];
         }
         Eigen::VectorXd next = m.state * y + m.power[0].col(link) * d;
         for (int i = 0; i < j.bodies; ++i) {
-            const auto c = cubic(late[i]);
+            const auto c = cubic(delayed[i]);
             for (int p = 0; p < nodes; ++p) next += m.power[p].col(i) * c[p];
         }
         y = next;

@@ -37,9 +37,9 @@ DualBox transfer_over(const LinearFriction& f, double sigma, const Band& omega)
     }
     for (const auto& d : f.delays) {
         const Band angle = omega * Band(d.time);
-        const Box late = Box(d.weight * std::exp(-sigma * d.time)) * Box(cosine(angle), -sine(angle));
-        G = G + late;
-        slope = slope - i * Box(d.time) * late;
+        const Box delayed = Box(d.weight * std::exp(-sigma * d.time)) * Box(cosine(angle), -sine(angle));
+        G = G + delayed;
+        slope = slope - i * Box(d.time) * delayed;
     }
     if (f.table) {
         const auto around = [&](Complex middle, double reach) {

@@ -71,8 +71,8 @@ class GainScan {
         }
         // outward from the joint's own gain, so that a search that ends early has seen what lies around it
         RootsAtGain low = *here, high = *here;
-        const double most = std::pow(10, turned_.late() ? late_gain_decades : gain_decades);
-        const double step = std::pow(10, 1.0 / (turned_.late() ? 6 : 15));
+        const double most = std::pow(10, turned_.delayed() ? delayed_gain_decades : gain_decades);
+        const double step = std::pow(10, 1.0 / (turned_.delayed() ? 6 : 15));
         const double lowest = std::max(range.low, own_ / most), highest = std::min(range.high, own_ * most);
         bool down = true, up = true;
         while (up || down) {
@@ -106,7 +106,7 @@ class GainScan {
     {
         auto &a = from.k_p < to.k_p ? from : to, &b = from.k_p < to.k_p ? to : from;
         // a count costs much more than the eigenvalues of a matrix
-        const double close = turned_.late() ? 1e-3 : 1e-6, apart = b.k_p / a.k_p - 1;
+        const double close = turned_.delayed() ? 1e-3 : 1e-6, apart = b.k_p / a.k_p - 1;
         const bool taken = a.right == b.right ? apart < close || foretold(a, b) : apart < close && take(a, b, close);
         if (taken) {
             from = to;
@@ -134,8 +134,8 @@ class GainScan {
         const Complex expected = root.s + step * root.slope;
         const Root* known = nearest(there.roots, expected);
         if (known && slopes_foretell(root, *known, step)) return true;
-        // of the roots of a late joint those of one gain may not have been found at the other
-        const auto found = turned_.late() ? turned_.root_near(there.k_p, expected) : std::nullopt;
+        // of the roots of a delayed joint those of one gain may not have been found at the other
+        const auto found = turned_.delayed() ? turned_.root_near(there.k_p, expected) : std::nullopt;
         if (!found || !slopes_foretell(root, *found, step)) return false;
         there.roots.push_back(*found);
         return true;

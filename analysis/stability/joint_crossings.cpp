@@ -79,12 +79,12 @@ GainLimit gain_limit(const LinearJoint& j)
     // solution beyond a last ω where C outweighs the delays
     const auto& f = j.friction[0];
     const double C = j.k_v * j.actuated[0] + f.f_v;
-    double late = 0, variation = f.table ? std::abs(f.table_scale) * f.table->variation() : 0;
-    for (const auto& d : f.delays) late += std::abs(d.weight);
+    double delayed = 0, variation = f.table ? std::abs(f.table_scale) * f.table->variation() : 0;
+    for (const auto& d : f.delays) delayed += std::abs(d.weight);
     for (int k = 0; k < f.states; ++k) variation += std::abs(f.weight(k));
-    if (j.bodies > 1 || !(C > late * (1 + 1e-9))) return {usual, usual};
-    const double last = variation / (C - late);
-    const double enough = 2 * (j.inertia[0] * last * last + variation + late * last) / j.actuated[0];
+    if (j.bodies > 1 || !(C > delayed * (1 + 1e-9))) return {usual, usual};
+    const double last = variation / (C - delayed);
+    const double enough = 2 * (j.inertia[0] * last * last + variation + delayed * last) / j.actuated[0];
     constexpr double most_costly = 100;  // a C that hardly outweighs the delays asks for a search without sensible end
     if (!(enough < most_costly * usual)) return {usual, usual};
     return {std::max(enough, 4 * std::abs(j.k_p)), infinity};

@@ -186,7 +186,7 @@ std::vector<Complex> spectrum(const LinearJoint& j)
 
 double spectral_abscissa(const LinearJoint& j)
 {
-    if (!j.rational()) return late_abscissa(j);
+    if (!j.rational()) return delayed_abscissa(j);
     auto roots = raw_eigenvalues(j);
     if (roots.empty()) return missing;
     // further right comes first

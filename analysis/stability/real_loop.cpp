@@ -33,8 +33,8 @@ bool remembers_little(const Joint& joint)
 
 namespace {
 
-/// Only what answers late.
-LinearFriction late_part(LinearFriction friction)
+/// Only what is delayed.
+LinearFriction delayed_part(LinearFriction friction)
 {
     friction.states = 0;
     return friction;
@@ -46,41 +46,41 @@ LoopTiming timing_of(const Joint& joint)
     return {joint.control.period, joint.dead_time(), v.tau, static_cast<int>(v.average), v.form == EstimateForm::exact};
 }
 
-/// Friction that answers late beside the states of the mechanism, and a count of the roots that they have together.
-/// The mechanism has the friction of slow motion, and what answers late is what differs from that: without any
-/// resistance of its own it would be two integrators, of which late friction had to take one away near 0, where no
+/// Delayed friction beside the states of the mechanism, and a count of the roots that they have together.
+/// The mechanism has the friction of slow motion, and what is delayed is what differs from that: without any
+/// resistance of its own it would be two integrators, of which delayed friction had to take one away near 0, where no
 /// digit of the difference is left.
-LatePlant late_plant(const Joint& joint, const LinearJoint& linear, double velocity)
+DelayedPlant delayed_plant(const Joint& joint, const LinearJoint& linear, double velocity)
 {
     LinearJoint slow = linear;
     std::array<double, max_bodies> at_rest{};
     for (int i = 0; i < linear.bodies; ++i) {
         if (linear.friction[i].rational()) continue;
-        at_rest[i] = transfer(late_part(linear.friction[i]), 0).real();
+        at_rest[i] = transfer(delayed_part(linear.friction[i]), 0).real();
         slow.friction[i].f_v -= at_rest[i];
     }
-    LatePlant late{loop_plant(joint, slow, velocity), {}, {}};
-    if (linear.rational()) return late;
-    const auto states = late.prompt.A.rows();
+    DelayedPlant delayed{loop_plant(joint, slow, velocity), {}, {}};
+    if (linear.rational()) return delayed;
+    const auto states = delayed.prompt.A.rows();
     LinearJoint open = opened(joint, linear);
     for (int i = 0; i < open.bodies; ++i) {
         if (open.friction[i].rational()) continue;
-        const LinearFriction only = late_part(open.friction[i]);
+        const LinearFriction only = delayed_part(open.friction[i]);
         double memory = only.table ? only.table->duration() : 0;
-        std::vector<LateFriction::Delay> delays{{-at_rest[i], 0}};
+        std::vector<DelayedFriction::Delay> delays{{-at_rest[i], 0}};
         for (const auto& d : only.delays) {
             memory = std::max(memory, d.time);
             delays.push_back({d.weight, d.time});
         }
         Eigen::VectorXd push = Eigen::VectorXd::Zero(states);
         push.head(open.states()) = rates_per_force(open, i);
-        late.friction.push_back({push, Eigen::RowVectorXd::Unit(states, open.bodies + i),
-                                 [only, still = at_rest[i]](Complex s) { return transfer(only, s) - still; }, delays,
-                                 memory, only.table == nullptr});
+        delayed.friction.push_back({push, Eigen::RowVectorXd::Unit(states, open.bodies + i),
+                                    [only, still = at_rest[i]](Complex s) { return transfer(only, s) - still; }, delays,
+                                    memory, only.table == nullptr});
     }
     open.friction[0].f_v += actuation(joint, velocity, steady_effort(joint, velocity)).drag;
-    late.roots_right_of = [open](double sigma) { return roots_right_of(open, sigma); };
-    return late;
+    delayed.roots_right_of = [open](double sigma) { return roots_right_of(open, sigma); };
+    return delayed;
 }
 
 }  // namespace
@@ -91,15 +91,15 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
     const bool wired_back = joint.actuator.effort_gain < 0 && joint.control.k_p < 0;
     const auto gains = split(without_stopped_integral(joint), velocity, turned, wired_back ? -1 : 1);
     if (!gains) return {};
-    const auto plant = late_plant(joint, linear, velocity);
+    const auto plant = delayed_plant(joint, linear, velocity);
     if (!plant.prompt.A.allFinite() || !plant.prompt.B.allFinite()) return {};
     const double lag = joint.actuator.lag;
     const auto timing = timing_of(joint);
     if (loop_kind(joint) != LoopKind::sampled)
-        return RealLoop{late_loop(plant, timing.delay, timing.tau, lag, gains->base, gains->turned), gains->gain,
+        return RealLoop{delayed_loop(plant, timing.delay, timing.tau, lag, gains->base, gains->turned), gains->gain,
                         gains->per_gain, gains->at_none};
     if (!plant.friction.empty() || timing.delay > most_ticks_in_matrix * timing.period) {
-        if (auto loop = late_sampled_loop(plant, timing, lag, gains->base, gains->turned))
+        if (auto loop = delayed_sampled_loop(plant, timing, lag, gains->base, gains->turned))
             return RealLoop{std::move(*loop), gains->gain, gains->per_gain, gains->at_none};
         if (!plant.friction.empty()) return {};
     }
@@ -107,24 +107,24 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
                     gains->at_none};
 }
 
-std::optional<LateLoop> link_by_command(const Joint& joint, const LinearJoint& linear, double velocity)
+std::optional<DelayedLoop> link_by_command(const Joint& joint, const LinearJoint& linear, double velocity)
 {
-    auto plant = late_plant(joint, linear, velocity);
+    auto plant = delayed_plant(joint, linear, velocity);
     plant.prompt.C.setZero(), plant.prompt.C_v.setZero();
     plant.prompt.C[linear.link()] = plant.prompt.C_v[linear.bodies + linear.link()] = 1;
-    return late_sampled_loop(plant, timing_of(joint), joint.actuator.lag, {}, {1, 0, 0, 0});
+    return delayed_sampled_loop(plant, timing_of(joint), joint.actuator.lag, {}, {1, 0, 0, 0});
 }
 
 double growth(const RealLoop& loop)
 {
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop)) return sampled_growth(*sampled, loop.gain);
-    return late_growth(std::get<LateLoop>(loop.loop), loop.gain);
+    return delayed_growth(std::get<DelayedLoop>(loop.loop), loop.gain);
 }
 
 double side(const RealLoop& loop)
 {
-    const auto* late = std::get_if<LateLoop>(&loop.loop);
-    return late ? late_side(*late, loop.gain) : growth(loop);
+    const auto* delayed = std::get_if<DelayedLoop>(&loop.loop);
+    return delayed ? delayed_side(*delayed, loop.gain) : growth(loop);
 }
 
 StableGains turned_gains(const RealLoop& loop)
@@ -145,9 +145,9 @@ StableGains turned_gains(const RealLoop& loop)
         take_endless(found);
         return found;
     }
-    const auto& late = std::get<LateLoop>(loop.loop);
-    auto axis = axis_crossings(late);
-    found.stable = stable_gains(late, axis, loop.gain);
+    const auto& delayed = std::get<DelayedLoop>(loop.loop);
+    auto axis = axis_crossings(delayed);
+    found.stable = stable_gains(delayed, axis, loop.gain);
     found.crossings = std::move(axis.crossings);
     found.doubtful = std::move(axis.doubtful);
     found.searched_to = axis.searched_to;

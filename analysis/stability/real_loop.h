@@ -4,8 +4,8 @@
 #include <optional>
 #include <variant>
 
+#include "analysis/loop/delayed_loop.h"
 #include "analysis/loop/discrete_search.h"
-#include "analysis/loop/late_loop.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/stable_gains.h"
 #include "analysis/stability/verdict.h"
@@ -36,7 +36,7 @@ enum class TurnedGain { k_p, k_v, all };
 /// The joint about steady sliding at V under its loop, with one gain open and its present value. A force loop with
 /// anything turned but all of it has none.
 struct RealLoop {
-    std::variant<DiscreteLoop, LateLoop> loop;
+    std::variant<DiscreteLoop, DelayedLoop> loop;
     double gain = 1;
     /// What is reported, k_p of a cascade by its position gain: at_none + per_gain times the gain that is open.
     double per_gain = 1, at_none = 0;
@@ -49,9 +49,9 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
 /// The mechanism about steady sliding at V with its actuator, without its controller.
 LoopPlant loop_plant(const Joint& joint, const LinearJoint& linear, double velocity);
 
-/// Of a sampled loop with late friction: from the command to the position of the link at the ticks, opened; the gain
+/// Of a sampled loop with delayed friction: from the command to the position of the link at the ticks, opened; the gain
 /// that is open is 1. Nothing where the whole loop has none.
-std::optional<LateLoop> link_by_command(const Joint& joint, const LinearJoint& linear, double velocity);
+std::optional<DelayedLoop> link_by_command(const Joint& joint, const LinearJoint& linear, double velocity);
 
 /// The windows of the gain that is open, in what is reported. Ticks and dead time always leave an end above.
 StableGains turned_gains(const RealLoop& loop);

@@ -27,11 +27,11 @@ std::vector<Complex> rates(const std::vector<Complex>& multipliers, double perio
     return roots;
 }
 
-LateSpectrum spectrum_of(const RealLoop& loop, double gain)
+DelayedSpectrum spectrum_of(const RealLoop& loop, double gain)
 {
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop.loop))
         return {rates(multipliers(*sampled, gain), sampled->period), sampled_growth(*sampled, gain)};
-    return late_spectrum(std::get<LateLoop>(loop.loop), gain);
+    return delayed_spectrum(std::get<DelayedLoop>(loop.loop), gain);
 }
 
 }  // namespace
@@ -52,17 +52,17 @@ std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory, 
     }
     answer.loop_ = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!answer.loop_) return std::nullopt;
-    const auto* late = std::get_if<LateLoop>(&answer.loop_->loop);
-    if (late && late->period > 0 && !late->friction.empty()) {
+    const auto* delayed = std::get_if<DelayedLoop>(&answer.loop_->loop);
+    if (delayed && delayed->period > 0 && !delayed->friction.empty()) {
         if (input == Input::force) return std::nullopt;
         const auto carried = link_by_command(joint, linear, velocity);
         if (!carried) return std::nullopt;
-        answer.opened_.emplace(*late);
+        answer.opened_.emplace(*delayed);
         answer.carried_.emplace(*carried);
     }
     auto spectrum = spectrum_of(*answer.loop_, answer.loop_->gain);
     answer.roots_ = std::move(spectrum.roots), answer.growth_ = spectrum.growth;
-    answer.period_ = late ? late->period : std::get<DiscreteLoop>(answer.loop_->loop).period;
+    answer.period_ = delayed ? delayed->period : std::get<DiscreteLoop>(answer.loop_->loop).period;
     answer.plant_ = loop_plant(joint, linear, velocity);
     answer.speed_ = linear.bodies + linear.link();
     const Eigen::VectorXd pushed = rates_per_force(linear, linear.link());
@@ -95,8 +95,8 @@ Complex LoopResponse::at(double omega) const
 
 Eigen::Index LoopResponse::size() const
 {
-    const auto* late = std::get_if<LateLoop>(&loop_->loop);
-    return late ? late->A.rows() : std::get<DiscreteLoop>(loop_->loop).difference.rows();
+    const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop);
+    return delayed ? delayed->A.rows() : std::get<DiscreteLoop>(loop_->loop).difference.rows();
 }
 
 Eigen::VectorXcd LoopResponse::closed(double omega, const Eigen::VectorXcd& input) const
@@ -105,10 +105,10 @@ Eigen::VectorXcd LoopResponse::closed(double omega, const Eigen::VectorXcd& inpu
     // e^{iωT} − 1 with its digits
     const Complex variable = period_ > 0 ? beyond_one(s * period_) : s;
     Eigen::MatrixXcd Z;
-    if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
-        Z = -late->A.cast<Complex>();
-        for (const auto& f : late->friction) Z -= f.push * (f.answer(s) * f.speed);
-        Z -= late->input * ((late->held - loop_->gain * late->output) * std::exp(-s * late->delay));
+    if (const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop)) {
+        Z = -delayed->A.cast<Complex>();
+        for (const auto& f : delayed->friction) Z -= f.push * (f.answer(s) * f.speed);
+        Z -= delayed->input * ((delayed->held - loop_->gain * delayed->output) * std::exp(-s * delayed->delay));
     } else {
         Z = -std::get<DiscreteLoop>(loop_->loop).closed(loop_->gain).cast<Complex>();
     }
@@ -120,10 +120,11 @@ Complex LoopResponse::by_command(double omega) const
 {
     if (carried_) {
         const Complex s(0, omega);
-        return carried_->prompt(s).first * carried_->late(s) * sensitivity(omega);
+        return carried_->prompt(s).first * carried_->delayed(s) * sensitivity(omega);
     }
-    if (const auto* late = std::get_if<LateLoop>(&loop_->loop))
-        return std::exp(Complex(0, -omega * late->delay)) * closed(omega, late->input.cast<Complex>())[linear_.link()];
+    if (const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop))
+        return std::exp(Complex(0, -omega * delayed->delay)) *
+               closed(omega, delayed->input.cast<Complex>())[linear_.link()];
     return closed(omega, std::get<DiscreteLoop>(loop_->loop).input.cast<Complex>())[linear_.link()];
 }
 
@@ -132,12 +133,12 @@ Complex LoopResponse::sensitivity(double omega) const
     if (opened_) {
         const Complex s(0, omega);
         const auto [out, held] = opened_->prompt(s);
-        return 1.0 / (1.0 + (loop_->gain * out - held) * opened_->late(s));
+        return 1.0 / (1.0 + (loop_->gain * out - held) * opened_->delayed(s));
     }
-    if (const auto* late = std::get_if<LateLoop>(&loop_->loop)) {
-        const Eigen::RowVectorXd command = late->held - loop_->gain * late->output;
-        return 1.0 + std::exp(Complex(0, -omega * late->delay)) *
-                         (command.cast<Complex>() * closed(omega, late->input.cast<Complex>()))[0];
+    if (const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop)) {
+        const Eigen::RowVectorXd command = delayed->held - loop_->gain * delayed->output;
+        return 1.0 + std::exp(Complex(0, -omega * delayed->delay)) *
+                         (command.cast<Complex>() * closed(omega, delayed->input.cast<Complex>()))[0];
     }
     const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
     return 1.0 - loop_->gain * (sampled.output.cast<Complex>() * closed(omega, sampled.input.cast<Complex>()))[0];
@@ -161,10 +162,10 @@ ForcedResponse LoopResponse::ticks(const SampledForce& force) const
 {
     const auto n = plant_.A.rows();
     const Eigen::VectorXd held = integral_of_exponential(plant_.A, period_) * pushed_;
-    const auto* late = std::get_if<LateLoop>(&loop_->loop);
-    const Eigen::MatrixXd change = late ? late->A : std::get<DiscreteLoop>(loop_->loop).closed(loop_->gain);
+    const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop);
+    const Eigen::MatrixXd change = delayed ? delayed->A : std::get<DiscreteLoop>(loop_->loop).closed(loop_->gain);
     // commands on their way, where they are no states
-    std::deque<double> line(late ? static_cast<std::size_t>(std::lround(late->delay / period_)) + 1 : 0, 0.0);
+    std::deque<double> line(delayed ? static_cast<std::size_t>(std::lround(delayed->delay / period_)) + 1 : 0, 0.0);
     Eigen::VectorXd X = Eigen::VectorXd::Zero(change.rows());
     X.head(n) = force.impulse * pushed_;
     ForcedResponse response;
@@ -177,10 +178,10 @@ ForcedResponse LoopResponse::ticks(const SampledForce& force) const
         if (t >= end) return response;
         const auto at = std::min(force.value.size() - 1, static_cast<std::size_t>(t / force.step));
         Eigen::VectorXd moved = change * X;
-        if (late) {
-            line.push_back(((late->held - loop_->gain * late->output) * X)(0));
+        if (delayed) {
+            line.push_back(((delayed->held - loop_->gain * delayed->output) * X)(0));
             line.pop_front();
-            moved += line.front() * late->input;
+            moved += line.front() * delayed->input;
         }
         X += moved;
         X.head(n) += force.value[at] * held;
@@ -189,8 +190,8 @@ ForcedResponse LoopResponse::ticks(const SampledForce& force) const
 
 ForcedResponse LoopResponse::continuous(const SampledForce& force) const
 {
-    const auto& late = std::get<LateLoop>(loop_->loop);
-    const Eigen::MatrixXd A = late_matrix(late, loop_->gain, past_nodes);
+    const auto& delayed = std::get<DelayedLoop>(loop_->loop);
+    const Eigen::MatrixXd A = delayed_matrix(delayed, loop_->gain, past_nodes);
     const Eigen::MatrixXd sum = integral_of_exponential(A, force.step);
     Eigen::VectorXd pushed = Eigen::VectorXd::Zero(A.rows());
     pushed.head(pushed_.size()) = pushed_;

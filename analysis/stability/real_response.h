@@ -18,7 +18,7 @@ class LoopResponse {
   public:
     enum class Input { force, command };
     /// By either theory. Nothing without steady sliding and where real_loop has none; with forces as the input neither
-    /// for sampled loops around late friction, as between ticks there is no map of it.
+    /// for sampled loops around delayed friction, as between ticks there is no map of it.
     static std::optional<LoopResponse> of(const Joint& joint, Theory theory, Input input = Input::force);
 
     /// X/D(iω) of the link. Ideal: (19). Continuous: (iω − A − b c e^{−iωτ})⁻¹ d. Sampled, whose readings see no more,
@@ -57,8 +57,9 @@ class LoopResponse {
     Eigen::VectorXd pushed_;  ///< rates per force on the link, of the plant
     int speed_ = 0;
     double period_ = 0, growth_ = missing;
-    std::optional<OpenedLoop> opened_, carried_;  ///< of a sampled loop around late friction, to its command and link
-    std::vector<std::complex<double>> roots_;     ///< of a sampled loop ln(z)/T
+    std::optional<OpenedLoop> opened_,
+        carried_;                              ///< of a sampled loop around delayed friction, to its command and link
+    std::vector<std::complex<double>> roots_;  ///< of a sampled loop ln(z)/T
 };
 
 /// Roots of any loop over k_p, row by row; column i follows one root. Those of a sampled loop are ln(z)/T. Empty where

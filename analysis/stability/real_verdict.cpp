@@ -34,8 +34,8 @@ CommandMargins real_margins(const Joint& joint, double commanded)
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
     if (!loop) return {};
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
-    const auto& late = std::get<LateLoop>(loop->loop);
-    return command_margins(late, late_spectrum(late, 1));
+    const auto& delayed = std::get<DelayedLoop>(loop->loop);
+    return command_margins(delayed, delayed_spectrum(delayed, 1));
 }
 
 void add_margins(const Joint& joint, LinearVerdict& verdict)
@@ -94,7 +94,7 @@ Complex real_root(const Joint& joint, double commanded)
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) {
         const auto all = multipliers(*sampled, loop->gain);
         if (!all.empty()) root = std::log(all.front()) / sampled->period;
-    } else if (const auto all = roots(std::get<LateLoop>(loop->loop), loop->gain); !all.empty()) {
+    } else if (const auto all = roots(std::get<DelayedLoop>(loop->loop), loop->gain); !all.empty()) {
         root = all.front();
     }
     return {root.real(), std::abs(root.imag())};
@@ -127,8 +127,8 @@ PointResult real_point(const Joint& joint, double commanded)
         point.region = point.velocity_only_stable == 1 ? Region::stable : Region::memory_only;
     else
         point.region = point.velocity_only_stable == 1 ? Region::velocity_only : Region::unstable;
-    const auto* late = std::get_if<LateLoop>(&loop->loop);
-    if (!late || !late->finite()) return point;
+    const auto* delayed = std::get_if<DelayedLoop>(&loop->loop);
+    if (!delayed || !delayed->finite()) return point;
     if (const auto turned = real_loop(joint, linear, velocity, TurnedGain::k_p)) {
         const auto gains = turned_gains(*turned);
         point.k_cr = gains.k_cr, point.omega = gains.omega;
@@ -169,9 +169,9 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         verdict.steady.reason = without_loop(joint);
         return verdict;
     }
-    const auto* late = std::get_if<LateLoop>(&all->loop);
-    const auto closed = late ? late_spectrum(*late, 1) : LateSpectrum{};
-    memory.spectral_abscissa = late ? closed.growth : growth(*all);
+    const auto* delayed = std::get_if<DelayedLoop>(&all->loop);
+    const auto closed = delayed ? delayed_spectrum(*delayed, 1) : DelayedSpectrum{};
+    memory.spectral_abscissa = delayed ? closed.growth : growth(*all);
     const bool beyond_numbers = memory.spectral_abscissa == infinity;
     if (beyond_numbers) memory.spectral_abscissa = growth_within_tick(joint, linear, V);
     if (!std::isfinite(memory.spectral_abscissa)) {
@@ -196,10 +196,11 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         memory.phase_margin_deg = margins.phase_deg;
     } else {
         memory.eigenvalues = closed.roots;
-        memory.all_eigenvalues = late->finite();
-        if (late->period > 0)
-            for (const Complex& root : memory.eigenvalues) memory.multipliers.push_back(std::exp(root * late->period));
-        const auto margins = command_margins(*late, closed);
+        memory.all_eigenvalues = delayed->finite();
+        if (delayed->period > 0)
+            for (const Complex& root : memory.eigenvalues)
+                memory.multipliers.push_back(std::exp(root * delayed->period));
+        const auto margins = command_margins(*delayed, closed);
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;
     }

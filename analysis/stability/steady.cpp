@@ -22,7 +22,7 @@ bool loaded_by_effort(const Chain& chain)
     return false;
 }
 
-/// Neighbours beside friction that answers late have no search for their roots. A normal load that follows the
+/// Neighbours beside delayed friction have no search for their roots. A normal load that follows the
 /// transmitted effort needs a transmission, and has no form here that its state would follow.
 Reason coupling_obstacle(const Joint& joint, const Chain& chain)
 {

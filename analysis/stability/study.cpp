@@ -28,7 +28,7 @@ int range_scan(const Joint& joint, bool costly)
 }
 
 /// What costs many searches is computed for joints with delays only where more than the usual effort is allowed.
-constexpr double effort_of_late_studies = 10;
+constexpr double effort_of_delayed_studies = 10;
 
 /// Velocities that are looked at: fewer where each costs a count of roots, still fewer with many dead ticks.
 constexpr int many_velocities = 200, counted_velocities = 60, few_velocities = 40;
@@ -53,7 +53,7 @@ bool many_dead_ticks(const Joint& joint)
     if (loop_kind(joint) != LoopKind::sampled) return false;
     const double V = sliding_velocity(joint, commanded_velocity(joint));
     const auto loop = real_loop(joint, linear_joint(joint, V), V, TurnedGain::all);
-    return loop && std::holds_alternative<LateLoop>(loop->loop);
+    return loop && std::holds_alternative<DelayedLoop>(loop->loop);
 }
 
 bool known_at_one_velocity(const Joint& joint)
@@ -73,7 +73,7 @@ LinearStudy linear_study(const Joint& given)
     if (steady.reason != Reason::none) return study;
     const double V = std::abs(steady.velocity), reach = std::pow(10, study_decades);
     const auto linear = linear_joint(joint, steady.velocity);
-    const bool effort = search_effort() >= effort_of_late_studies;
+    const bool effort = search_effort() >= effort_of_delayed_studies;
     const bool costly = !effort && many_dead_ticks(joint);
     const bool thorough = (linear.rational() && !costly) || effort;
     const auto gains = stable_gains(joint);

@@ -31,7 +31,7 @@ struct LinearStudy {
     std::vector<ReductionStudy> reductions;
 };
 
-/// Whether the joint's sampled loop is judged by its characteristic function, because of many dead ticks or of late
+/// Whether the joint's sampled loop is judged by its characteristic function, because of many dead ticks or of delayed
 /// friction: each of its roots then costs a search.
 bool many_dead_ticks(const Joint& joint);
 

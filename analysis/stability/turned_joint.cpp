@@ -14,7 +14,7 @@ namespace stickslip {
 namespace {
 
 constexpr double probe = 1e-6;          // of ln k_p: half the step of a difference
-constexpr std::size_t near_roots = 12;  // of a late joint, from where the phase turns fastest
+constexpr std::size_t near_roots = 12;  // of a delayed joint, from where the phase turns fastest
 
 /// Roots right of the axis. No real root crosses it at k_p > 0, as springs hold the joint: their number is even, and
 /// where it is not, rounding has moved the smallest to the other side.
@@ -37,7 +37,7 @@ int right_of_axis(const std::vector<Complex>& roots)
 TurnedJoint::TurnedJoint(const Joint& joint, Theory theory) : joint_(joint), theory_(theory)
 {
     const auto linear = at(joint.control.k_p);
-    late_ = linear && !linear->rational();
+    delayed_ = linear && !linear->rational();
 }
 
 std::optional<LinearJoint> TurnedJoint::at(double k_p)
@@ -56,7 +56,7 @@ std::optional<RootsAtGain> TurnedJoint::look(double k_p, const RootsAtGain* near
     RootsAtGain here;
     here.k_p = k_p;
     std::vector<Complex> roots;
-    if (late_) {
+    if (delayed_) {
         const auto count = count_right_of(*linear, 0);
         if (!count) return std::nullopt;
         work_ += static_cast<long>(count->nodes.size());

@@ -27,13 +27,13 @@ class TurnedJoint {
     TurnedJoint(const Joint& joint, Theory theory);
 
     /// Friction has delays or tables at the joint's own gain.
-    bool late() const { return late_; }
+    bool delayed() const { return delayed_; }
 
     /// Nothing where the joint does not slide steadily, numbers overflow or the roots cannot be counted.
-    /// `near`: the same joint at a gain not far off, from whose roots those of a late joint are looked for, too.
+    /// `near`: the same joint at a gain not far off, from whose roots those of a delayed joint are looked for, too.
     std::optional<RootsAtGain> look(double k_p, const RootsAtGain* near = nullptr);
 
-    /// The root of a late joint that Newton's method finds from `start`, if it lies above the real axis.
+    /// The root of a delayed joint that Newton's method finds from `start`, if it lies above the real axis.
     std::optional<RootsAtGain::Root> root_near(double k_p, std::complex<double> start);
 
     /// The gain and frequency that put a root on the axis, by Newton's method in ω and ln k_p from a near start.
@@ -48,7 +48,7 @@ class TurnedJoint {
 
     Joint joint_;
     Theory theory_;
-    bool late_ = false;
+    bool delayed_ = false;
     long work_ = 0;
 };
 

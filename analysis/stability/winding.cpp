@@ -76,13 +76,13 @@ struct Look {
     double omega = 0;
     Complex value, drift;                ///< F, and d log(F Π(s − λ))/ds
     Complex prompt_value, prompt_drift;  ///< the same without what is delayed
-    double late_share = 0;               ///< |F − F without what is delayed| / |the latter| at most
+    double delayed_share = 0;            ///< |F − F without what is delayed| / |the latter| at most
 };
 
 class Line {
   public:
     Line(const LinearJoint& joint, double sigma)
-        : joint_(joint), prompt_(prompt(joint)), sigma_(sigma), late_(!joint.rational())
+        : joint_(joint), prompt_(prompt(joint)), sigma_(sigma), has_delays_(!joint.rational())
     {
         for (int i = 0; i < joint.bodies; ++i) {
             const auto& f = joint.friction[i];
@@ -107,20 +107,20 @@ class Line {
         for (const double lambda : poles_) from_poles += 1.0 / (s - lambda);
         look.value = whole.value;
         look.drift = whole.slope / whole.value + from_poles;
-        if (!late_) {
+        if (!has_delays_) {
             look.prompt_value = look.value, look.prompt_drift = look.drift;
             return look;
         }
         const auto part = closed_loop(prompt_, s);
         look.prompt_value = part.value;
         look.prompt_drift = part.slope / part.value + from_poles;
-        look.late_share = late_share(s);
+        look.delayed_share = delayed_share(s);
         return look;
     }
 
-    /// Change of arg(F Π(s − λ)) from a to b where it is foretold, else nothing. `h_late`: how long a step may be that
-    /// has to follow what is delayed.
-    std::optional<double> turn(const Look& a, const Look& b, double h_late) const
+    /// Change of arg(F Π(s − λ)) from a to b where it is foretold, else nothing. `h_delayed`: how long a step may be
+    /// that has to follow what is delayed.
+    std::optional<double> turn(const Look& a, const Look& b, double h_delayed) const
     {
         const double h = b.omega - a.omega;
         double poles = 0;
@@ -136,18 +136,18 @@ class Line {
             return good ? std::optional(told + off) : std::nullopt;
         };
         constexpr double quiet = 0.2;
-        if (late_ && std::max(a.late_share, b.late_share) < quiet) {
+        if (has_delays_ && std::max(a.delayed_share, b.delayed_share) < quiet) {
             const auto told = foretold(a.prompt_value, b.prompt_value, a.prompt_drift, b.prompt_drift);
             if (!told) return told;
             return *told + std::arg(b.value / b.prompt_value) - std::arg(a.value / a.prompt_value);
         }
-        if (late_ && h > h_late) return std::nullopt;
+        if (has_delays_ && h > h_delayed) return std::nullopt;
         return foretold(a.value, b.value, a.drift, b.drift);
     }
 
   private:
-    /// A determinant is linear in each resistance: Σ over sets of bodies of Π(|G_late| |s|) · |minor of the others|.
-    double late_share(Complex s) const
+    /// A determinant is linear in each resistance: Σ over sets of bodies of Π(|G_delayed| |s|) · |minor of the others|.
+    double delayed_share(Complex s) const
     {
         const auto Z = closed_matrix(prompt_, s);
         const unsigned all = (1u << joint_.bodies) - 1;
@@ -165,7 +165,7 @@ class Line {
     const LinearJoint& joint_;
     LinearJoint prompt_;
     double sigma_;
-    bool late_;
+    bool has_delays_;
     std::vector<double> poles_;
     std::array<double, max_bodies> delayed_{}, table_{}, variation_{};
 };
@@ -183,7 +183,7 @@ std::optional<LineCount> count_right_of(const LinearJoint& j, double sigma, int 
     const double share = 1.0 / (4 * j.bodies);
     const double end = frequency_bound(j, std::abs(j.k_p), std::min(sigma, 0.0), share) + 2 * std::abs(sigma);
     if (!std::isfinite(end) || !(end > 0)) return std::nullopt;
-    const double h_late = 1.0 / longest_memory(j);  // infinite where nothing is delayed
+    const double h_delayed = 1.0 / longest_memory(j);  // infinite where nothing is delayed
     LineCount count;
     count.sigma = sigma;
     double turned = 0;
@@ -200,10 +200,10 @@ std::optional<LineCount> count_right_of(const LinearJoint& j, double sigma, int 
         if (!(next > here.omega)) return std::nullopt;
         const Look there = line.at(next);
         if (!is_number(there.value)) return std::nullopt;
-        auto turn = line.turn(here, there, h_late);
+        auto turn = line.turn(here, there, h_delayed);
         if (turn && here.omega == 0) {
             const Look between = line.at(next / 2);
-            const auto first = line.turn(here, between, h_late), second = line.turn(between, there, h_late);
+            const auto first = line.turn(here, between, h_delayed), second = line.turn(between, there, h_delayed);
             turn = first && second ? std::optional(*first + *second) : std::nullopt;
         }
         if (!turn) {

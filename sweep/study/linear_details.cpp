@@ -118,7 +118,7 @@ LinearDetails linear_details(const Joint& joint, LinearStudy study)
     d.study = std::move(study);
     if (std::isnan(d.study.compliance)) return d;
     d.velocity = commanded_velocity(joint);
-    // dead time and late friction leave roots without end, and each point costs a search
+    // dead time and delayed friction leave roots without end, and each point costs a search
     d.sampled_finely = linear_joint(joint, d.velocity).rational() && loop_kind(joint) != LoopKind::continuous;
     if (!std::isnan(d.study.velocities.low)) {
         add_demands(d, joint);

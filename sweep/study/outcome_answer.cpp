@@ -117,17 +117,4 @@ OutcomeMaps outcome_maps(const OutcomeAnswer& a, const Joint& nominal)
     return maps;
 }
 
-std::vector<std::string_view> laws_not_distinguished(const OutcomeAnswer& a)
-{
-    std::vector<std::string_view> laws;
-    for (std::size_t i = 1; i < a.laws.size(); ++i) {
-        const LawFit& f = a.laws[i];
-        const auto& ambiguous = a.diagnosis.ambiguous_with;
-        const bool named = std::any_of(ambiguous.begin(), ambiguous.end(),
-                                       [&](const auto& names) { return names[0] == f.rival->effect; });
-        if (named && !gap::distinguished(a.laws.front(), f)) laws.push_back(f.rival->law);
-    }
-    return laws;
-}
-
 }  // namespace stickslip

@@ -29,7 +29,4 @@ struct OutcomeMaps {
 /// `found` outlives the maps, and has laws.
 OutcomeMaps outcome_maps(const gap::OutcomeAnswer& found, const Joint& nominal);
 
-/// Laws that the rows cannot distinguish from the best one.
-std::vector<std::string_view> laws_not_distinguished(const gap::OutcomeAnswer& found);
-
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/study.h"
 #include "sweep/study/samples.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace stickslip {
 namespace {
 
-constexpr int locus_gains = 400, late_gains = 120;  // where roots have no end, each gain costs a search
+constexpr int locus_gains = 400, delayed_gains = 120;  // where roots have no end, each gain costs a search
 
 /// Where a root lies that decides stability: those far to the left would squeeze the rest into a line.
 double reach(const std::vector<std::vector<std::complex<double>>>& rows)
@@ -73,11 +74,25 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
     RootLocus locus;
     locus.rational = loop_kind(joint) == LoopKind::sampled ||
                      (joint.dead_time() == 0 && linear_joint(joint, steady.velocity).rational());
-    locus.gains = log_steps(low, high, locus.rational ? locus_gains : late_gains);
+    locus.gains = log_steps(low, high, locus.rational ? locus_gains : delayed_gains);
     if (!sample(locus, joint)) return std::nullopt;
     locus.own_gain = joint.control.k_p;
     locus.own = root_locus(joint, {joint.control.k_p}).front();
     locus.crossings = locate_on_ray(joint, "control.k_p", low, high, true, Curve::Kind::state_variable);
+    return locus;
+}
+
+std::vector<GainRoots> coarse_root_locus(const Joint& joint)
+{
+    const bool finite = (loop_kind(joint) == LoopKind::sampled && !many_dead_ticks(joint)) ||
+                        (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
+    const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
+    std::vector<double> gains;
+    for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
+    const auto rows = root_locus(joint, gains);
+    if (rows.empty()) return {};
+    std::vector<GainRoots> locus;
+    for (std::size_t i = 0; i < gains.size(); ++i) locus.push_back({gains[i], rows[i]});
     return locus;
 }
 

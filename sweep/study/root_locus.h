@@ -22,4 +22,14 @@ struct RootLocus {
 /// Nothing without steady sliding forwards, or where no root moves within the limit.
 std::optional<RootLocus> sampled_root_locus(const Joint& joint, double lowest_gain, double highest_gain);
 
+/// Roots at one gain.
+struct GainRoots {
+    double k_p;
+    std::vector<std::complex<double>> roots;
+};
+
+/// For numbers, not for a drawing: two decades to either side of the joint's own gain, in a dozen steps a decade, in
+/// two where roots have no end. Empty where no root is known. The joint slides steadily.
+std::vector<GainRoots> coarse_root_locus(const Joint& joint);
+
 }  // namespace stickslip

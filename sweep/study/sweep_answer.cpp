@@ -3,7 +3,7 @@
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/stability/verdict.h"
-#include "sweep/study/evaluate.h"
+#include "sweep/study/evaluate_points.h"
 
 namespace stickslip {
 namespace {

@@ -23,9 +23,8 @@ std::string outcome_sentence(const gap::OutcomeAnswer& a)
                 "The measured boundary is that of {} (law {}): it misjudges {} of {} held-out rows, the nominal joint "
                 "{}",
                 best.rival->effect, best.rival->law, best.misjudged, n, a.nominal.misjudged);
-            const auto others = laws_not_distinguished(a);
-            if (!others.empty())
-                text += fmt::format("; these rows cannot distinguish it from {}", fmt::join(others, ", "));
+            if (!a.alike.empty())
+                text += fmt::format("; these rows cannot distinguish it from {}", fmt::join(a.alike, ", "));
             return text + ".";
         }
         case Verdict::no_gap:

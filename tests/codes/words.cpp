@@ -54,6 +54,11 @@ std::string integral_text(const IntegralCost&, Units)
     return "#integral";
 }
 
+std::string left_out_text(const LoopUse&, double)
+{
+    return "#left-out-loop";
+}
+
 std::string why_text(WhyNot)
 {
     return "#why-not";

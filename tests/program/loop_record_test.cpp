@@ -78,7 +78,8 @@ TEST_CASE("a record of a continuous loop has no gap, and names the edit of its j
     REQUIRE(!found["effects"].empty());
     CHECK(found["effects"][0]["names"][0] == "gain-k_p");
 
-    // a late loop moves as if its commands were held for longer; what the controller feeds back is seen in its commands
+    // a delayed loop moves as if its commands were held for longer; what the controller feeds back is seen in its
+    // commands
     const auto late = diagnosis_of(folder, " --set control.delay=0.008", continuous);
     REQUIRE(!late["effects"].empty());
     CHECK(late["effects"][0]["names"].dump() == "[\"delay\"]");

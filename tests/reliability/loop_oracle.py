@@ -140,7 +140,7 @@ def sampled_growth(p, plant, g, exact=False):
     return math.log(np.abs(np.linalg.eigvals(balanced(M))).max()) / p.T
 
 
-def late_system(p, plant, g):
+def delayed_system(p, plant, g):
     """s -> A0 + A_d e^{-s delay}: plant, filter, integrals."""
     A, B, C, C_v = plant
     K_p, K_v, K_i, K_t = gains(p, g)
@@ -172,14 +172,14 @@ def late_system(p, plant, g):
     return A0, np.outer(wide, command)
 
 
-def late_growth(p, plant, g):
-    A0, Ad = late_system(p, plant, g)
+def delayed_growth(p, plant, g):
+    A0, Ad = delayed_system(p, plant, g)
     return np.linalg.eigvals(balanced(A0 + Ad)).real.max()
 
 
 def roots_right_of(p, plant, g, sigma):
     """By the argument principle on Re s = sigma; None where the line runs through a root."""
-    A0, Ad = late_system(p, plant, g)
+    A0, Ad = delayed_system(p, plant, g)
     n = len(A0)
     bound = np.abs(np.linalg.eigvals(balanced(A0))).max()
     size = max(bound, np.abs(np.linalg.eigvals(balanced(A0 + Ad))).max(), np.abs(np.linalg.eigvals(balanced(A0 - Ad))).max())

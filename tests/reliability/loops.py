@@ -25,7 +25,7 @@ except ImportError as missing:
     sys.exit(77)
 
 from loop_joints import draw
-from loop_oracle import late_growth, late_system, roots_right_of, sampled_growth
+from loop_oracle import delayed_growth, delayed_system, roots_right_of, sampled_growth
 
 
 class Count:
@@ -49,8 +49,8 @@ def stable(p, plant, g, own_growth=None):
                 return None
         return growth < 0
     if p.delay == 0:
-        growth = late_growth(p, plant, g)
-        A0, Ad = late_system(p, plant, g)
+        growth = delayed_growth(p, plant, g)
+        A0, Ad = delayed_system(p, plant, g)
         if abs(growth) < 1e-11 * np.abs(np.linalg.eigvals(A0 + Ad)).max():
             return None
         return growth < 0
@@ -81,12 +81,12 @@ def compare(p, told, count, problems):
             if abs(own - growth) > 1e-6 * (abs(own) + unit):
                 problems.append(f'{name} {growth} is {own}')
         elif p.delay == 0:
-            own = late_growth(p, of, None)
-            size = np.abs(np.linalg.eigvals(sum(late_system(p, of, None)))).max()
+            own = delayed_growth(p, of, None)
+            size = np.abs(np.linalg.eigvals(sum(delayed_system(p, of, None)))).max()
             if abs(own - growth) > 1e-7 * abs(own) + 1e-9 * size:
                 problems.append(f'{name} {growth} is {own}')
         else:
-            size = np.abs(np.linalg.eigvals(sum(late_system(p, of, None)))).max()
+            size = np.abs(np.linalg.eigvals(sum(delayed_system(p, of, None)))).max()
             step = 1e-5 * abs(growth) + 1e-8 * size
             right, left = (roots_right_of(p, of, None, growth + k * step) for k in (1, -1))
             if right is None or left is None:

@@ -6,7 +6,7 @@
 #include "analysis/results/text.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/joint_file.h"
-#include "sweep/study/evaluate.h"
+#include "sweep/study/evaluate_points.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 #include "analysis/boundary/kinds/boundary.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/boundary/kinds/coexistence.h"
 #include "analysis/boundary/kinds/fold.h"
 #include "analysis/boundary/kinds/fold_by_sides.h"
@@ -22,6 +23,7 @@ namespace {
 /// The request as it stands after its defaults.
 BoundaryRequest completed(BoundaryRequest request, const Joint& joint, const std::vector<Axis>& axes)
 {
+    require_valid(request);
     if (!is_set(request.precision)) {
         const bool by_sides = request.kind == BoundaryKind::fold && !has_smooth_orbits(joint, axes);
         request.precision = by_sides ? by_sides_precision : default_precision(request.kind);

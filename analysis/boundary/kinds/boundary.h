@@ -5,6 +5,8 @@
 #include "analysis/joint/joint.h"
 #include "analysis/simulation/flows/disturbance.h"
 
+#include <string>
+
 namespace stickslip {
 
 struct BoundaryRequest {
@@ -14,6 +16,9 @@ struct BoundaryRequest {
     int scan = 0;                ///< intervals of a ray that are looked at first; 0: default_scan, more on a long axis
     FollowingOptions following;
     ParallelFor parallel;  ///< empty: one after the other
+
+    /// What is wrong with them; empty if nothing.
+    std::string problem() const;
 };
 
 /// 1e-10 for the linear theories, 1e-6 for folds and hunting, 1e-4 for outcomes; 3e-4 is that of folds found by
@@ -25,7 +30,7 @@ int default_scan(BoundaryKind kind);
 
 /// Every boundary of a kind between the ends of an axis, and what the search does not exclude. v_min: along control.V0,
 /// the velocity from which on every faster one slides, nothing else. Throws std::invalid_argument for a path that the
-/// joint lacks.
+/// joint lacks and for a request with a problem().
 LocatedRay locate_boundaries(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
 
 /// The same over a chart, followed. v_min: the y axis has to be control.V0.

@@ -1,6 +1,7 @@
 // The nearest boundary, over all directions of the coordinates.
 #include "analysis/boundary/kinds/nearest.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/boundary/kinds/directions.h"
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/numerics/optimise.h"
@@ -187,9 +188,18 @@ double default_reach(const std::vector<Coordinate>& coordinates)
     return std::numbers::ln10 / least;
 }
 
+std::string NearestOptions::problem() const
+{
+    return first_problem(
+        problem_unless(std::isnan(reach) || reach > 0, "reach", reach, "above 0, or NaN for a factor of ten"),
+        problem_unless(rays >= 1, "rays", rays, "at least 1"), problem_unless(local >= 0, "local", local, "at least 0"),
+        problem_unless(precision > 0 && precision < 1, "precision", precision, "between 0 and 1"));
+}
+
 NearestBoundary nearest_boundary(const Joint& joint, const std::vector<Coordinate>& coordinates,
                                  const NearestOptions& options)
 {
+    require_valid(options);
     return NearestSearch(joint, coordinates, options).run();
 }
 

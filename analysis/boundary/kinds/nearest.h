@@ -3,6 +3,8 @@
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/boundary/trace/coordinates.h"
 
+#include <string>
+
 namespace stickslip {
 
 struct NearestOptions {
@@ -14,11 +16,15 @@ struct NearestOptions {
     double precision = 1e-10;  ///< of the distances that are compared; the one that is answered has 1e-10
     std::vector<std::vector<double>> starts;  ///< directions to begin with, beside the axes
     bool along_starts_only = false;           ///< nothing but these is looked along
+
+    /// What is wrong with them; empty if nothing.
+    std::string problem() const;
 };
 
 /// The smallest distance √Σ q_i², q_i = ln(value ratio)/scale, at which the verdict of the joint changes. Every
 /// direction is scanned from the joint outwards, so no nearer boundary lies on the way; global then local search over
-/// directions (NLopt: DIRECT-L, then SBPLX), the crossing itself bracketed to 1e-10.
+/// directions (NLopt: DIRECT-L, then SBPLX), the crossing itself bracketed to 1e-10. Throws std::invalid_argument
+/// for options with a problem().
 NearestBoundary nearest_boundary(const Joint& joint, const std::vector<Coordinate>& coordinates,
                                  const NearestOptions& options);
 

@@ -1,5 +1,6 @@
 #include "analysis/boundary/trace/follow.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/boundary/trace/climb.h"
 #include "analysis/boundary/trace/paths.h"
 #include "analysis/boundary/trace/tracer.h"
@@ -148,6 +149,16 @@ double fine_enough(double precision, const Axis& x, const Axis& y, double step)
 }
 
 }  // namespace
+
+std::string FollowingOptions::problem() const
+{
+    return first_problem(problem_unless(guard >= 0, "guard", guard, "a number of cells, or 0 for the usual one"),
+                         problem_unless(longest_step >= 0 && longest_step <= 1, "longest_step", longest_step, "0 to 1"),
+                         problem_unless(shortest_step > 0 && shortest_step <= 1, "shortest_step", shortest_step,
+                                        "above 0 and at most 1"),
+                         problem_unless(turn > 0, "turn", turn, "an angle above 0"),
+                         problem_unless(point_limit >= 1, "point_limit", point_limit, "at least 1"));
+}
 
 FollowedBoundary follow_boundary(const Sides& given_sides, const Axis& x, const Axis& y,
                                  const FollowingOptions& given_options)

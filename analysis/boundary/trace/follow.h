@@ -4,6 +4,7 @@
 #include "analysis/results/boundary.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace stickslip {
@@ -23,6 +24,9 @@ struct FollowingOptions {
     double shortest_step = 1e-4;
     double turn = 0.3;  ///< rad between neighbouring steps before the step is shortened
     int point_limit = 4000;
+
+    /// What is wrong with them; empty if nothing.
+    std::string problem() const;
 };
 
 /// As many points as a fine grid has rows where the measure is continuous, fewer where each one is searched by sides.

@@ -43,7 +43,7 @@ std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
     if (theory != Curve::Kind::ideal_loop && loop_kind(joint) != LoopKind::ideal) {
         const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return {};
-        // of late loops a count of roots, where the growth is a search for one
+        // of delayed loops a count of roots, where the growth is a search for one
         const double side = real_side(joint, steady.velocity, theory == Curve::Kind::velocity_only);
         if (std::isnan(side)) return {};
         return side < 0;

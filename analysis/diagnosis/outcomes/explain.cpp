@@ -92,6 +92,11 @@ void decide(OutcomeAnswer& a)
         d.verdict = Verdict::gap;
     }
     if (d.verdict == Verdict::no_gap || d.verdict == Verdict::unknown) d.ambiguous_with.clear();
+    for (const auto& f : a.laws) {
+        const bool named =
+            std::ranges::any_of(d.ambiguous_with, [&](const auto& c) { return c[0] == f.rival->effect; });
+        if (&f != &winner && named && !distinguished(winner, f)) a.alike.push_back(f.rival->law);
+    }
 }
 
 /// Fits every rival and judges the documented law, by distances to stick-slip first, the likely ones by their motion.
@@ -154,7 +159,7 @@ OutcomeAnswer explain(const Joint& nominal, const OutcomeTable& table, const Par
                       const std::function<void()>& checkpoint)
 {
     refuse_unfit(nominal, table);
-    OutcomeAnswer a{{}, nominal, prepared(nominal, table), {}, {}, {}, 0};
+    OutcomeAnswer a{{}, nominal, prepared(nominal, table), {}, {}, {}, {}, 0};
     a.outcomes.checkpoint = checkpoint;
     Diagnosis& d = a.diagnosis;
     d.motion = nominal.mechanism.motion;

@@ -18,7 +18,8 @@ struct OutcomeAnswer {
     Joint after;  ///< the nominal joint with the winning law; equal to it where nothing was named
     Outcomes outcomes;
     LawFit nominal;
-    std::vector<LawFit> laws;  ///< most probable first
+    std::vector<LawFit> laws;             ///< most probable first
+    std::vector<std::string_view> alike;  ///< laws that the rows cannot distinguish from the best one
     NextOutcome next;
     int contradictions = 0;  ///< rows that say the opposite of most rows with the same settings
 };

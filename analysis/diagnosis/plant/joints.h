@@ -12,7 +12,7 @@ namespace stickslip::gap {
 struct Kind {
     bool two_mass = false, feedback_link = false, has_backlash = false, hardens = false, free = false,
          dead_time = false, lag = false;
-    bool gravity = false, cogging = false, disturbance = false, sags = false, read_late = false;
+    bool gravity = false, cogging = false, disturbance = false, sags = false, sensor_delay = false;
     Terms motor, link;
     ActuatorKind actuator = ActuatorKind::effort;
     DriveSignal signal = DriveSignal::voltage;
@@ -31,13 +31,13 @@ inline Kind kind_of(const Plant& p)
     k.free = p.free.present, k.dead_time = p.dead_time != 0, k.lag = p.actuator.lag > 0;
     k.gravity = p.load.gravity_amplitude != 0, k.cogging = p.load.cogging.acts();
     k.disturbance = p.load.disturbance.amplitude != 0, k.sags = p.actuator.sag_effort < infinity;
-    k.read_late = p.sensor.delay > 0;
+    k.sensor_delay = p.sensor.delay > 0;
     k.motor = terms_of(p.motor), k.link = terms_of(p.link);
     k.actuator = p.actuator.kind, k.signal = p.actuator.signal;
     return k;
 }
 
-/// The same along a record: a command that goes straight between ticks asks for what a late one does.
+/// The same along a record: a command that goes straight between ticks asks for what a delayed one does.
 inline Kind kind_of(const Plant& p, const Ticks& ticks)
 {
     Kind k = kind_of(p);
@@ -71,7 +71,7 @@ struct Joints {
     Rubs<P> motor, link;
     LoadOf<P> load;
     ActuatorOf<P> actuator;
-    P position_scale = 1, position_offset = 0, read_late = 0;
+    P position_scale = 1, position_offset = 0, sensor_delay = 0;
     std::array<const FreeForce*, P::lanes> free{};
 
     /// Puts this joint, of this kind, into a lane. It must outlive the lane.
@@ -121,7 +121,7 @@ void Joints<P>::load_lane(int lane, const Plant& p)
     actuator.k_t.set(lane, a.k_t), actuator.k_e.set(lane, a.k_e), actuator.resistance.set(lane, a.resistance);
     actuator.supply_resistance.set(lane, a.supply_resistance);
     position_scale.set(lane, p.sensor.position_scale), position_offset.set(lane, p.sensor.position_offset);
-    read_late.set(lane, p.sensor.delay);
+    sensor_delay.set(lane, p.sensor.delay);
     free[static_cast<std::size_t>(lane)] = &p.free;
 }
 

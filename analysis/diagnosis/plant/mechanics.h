@@ -27,7 +27,7 @@ class Mechanics {
         Lane& l = lane_[lane];
         l.ticks = &ticks, l.plant = &plant, l.tick = tick, l.command = command.data();
         l.held = HeldCommand(ticks, command, plant.dead_time, tick);
-        if (kind().read_late) l.logged = HeldCommand(ticks, command, plant.dead_time - plant.sensor.delay, tick);
+        if (kind().sensor_delay) l.logged = HeldCommand(ticks, command, plant.dead_time - plant.sensor.delay, tick);
         l.longest = longest_step(plant), l.parts = 0, l.divided = 0, l.goes = true;
         logged_lagged_.set(lane, 0);
         motor_level_.set(lane, plant.motor.coulomb), link_level_.set(lane, plant.link.coulomb);
@@ -57,9 +57,9 @@ class Mechanics {
         for (int i = 0; i < lanes; ++i) {
             Lane& l = lane_[i];
             const double t = l.ticks->time[l.tick];
-            arrived.set(i, (kind().read_late ? l.logged : l.held).mean(t, moment, l.tick));
+            arrived.set(i, (kind().sensor_delay ? l.logged : l.held).mean(t, moment, l.tick));
         }
-        if (kind().lag) arrived = kind().read_late ? logged_lagged_ : state_.lagged;
+        if (kind().lag) arrived = kind().sensor_delay ? logged_lagged_ : state_.lagged;
         return push(arrived).at(state_.motor_velocity);
     }
 
@@ -72,7 +72,7 @@ class Mechanics {
             tick.set(i, l.ticks->step[l.tick]), start.set(i, l.ticks->time[l.tick]);
         }
         if (any(tick != length_of_)) divide(tick);
-        follow_record(start - joints_.read_late + 0.5 * tick);
+        follow_record(start - joints_.sensor_delay + 0.5 * tick);
         if (changes()) length_ = StepLength<P>(joints_, length_.h);
         PushOf<P> drive;
         if (kind().holds()) drive = push(command());
@@ -87,9 +87,9 @@ class Mechanics {
             const State<P> before = all ? State<P>{} : state_;
             if (!kind().holds()) drive = push(arriving(t, keep, mean_keep));
             if (kind().two_mass)
-                step_two_mass(joints_, state_, drive, t - joints_.read_late, length_);
+                step_two_mass(joints_, state_, drive, t - joints_.sensor_delay, length_);
             else
-                step_single(joints_, state_, drive, t - joints_.read_late, length_);
+                step_single(joints_, state_, drive, t - joints_.sensor_delay, length_);
             if (!all) keep_done(before, part);
         }
         for (auto& l : lane_) l.tick += l.goes;
@@ -195,7 +195,7 @@ class Mechanics {
         P arrived;
         for (int i = 0; i < lanes; ++i) arrived.set(i, lane_[i].held.mean(t[i], length_.h[i], lane_[i].tick));
         if (!kind().lag) return arrived;
-        if (kind().read_late) {
+        if (kind().sensor_delay) {
             P at_once;
             for (int i = 0; i < lanes; ++i) at_once.set(i, lane_[i].logged.mean(t[i], length_.h[i], lane_[i].tick));
             logged_lagged_ = at_once + (logged_lagged_ - at_once) * keep;

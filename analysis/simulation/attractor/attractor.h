@@ -42,8 +42,8 @@ struct Attractor {
 /// again. `steady_attracts` says that the linear theory lets small disturbances decay.
 Attractor follow(const Flow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options);
 
-/// The same with friction that answers late. The past has no dimension that shooting could work in: cycles are watched
+/// The same with delayed friction. The past has no dimension that shooting could work in: cycles are watched
 /// until they close.
-Attractor follow(const LateFlow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options);
+Attractor follow(const DelayedFlow& flow, const FlowVector& y, bool steady_attracts, const FollowOptions& options);
 
 }  // namespace stickslip

@@ -58,7 +58,7 @@ LargeStarts large_starts(const ChainFlow& flow, const SlowMode& mode)
     return starts;
 }
 
-LargeStarts large_starts(const LateFlow& flow, const SlowMode& mode)
+LargeStarts large_starts(const DelayedFlow& flow, const SlowMode& mode)
 {
     return {{disturbed(flow, mode, DisturbanceKind::start, near_rest_start)}};
 }

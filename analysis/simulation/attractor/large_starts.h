@@ -4,7 +4,7 @@
 #include <vector>
 #include "analysis/results/detail.h"
 
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/simulation/flows/mode.h"
 
 namespace stickslip {
@@ -21,6 +21,6 @@ struct LargeStarts {
 LargeStarts large_starts(const SlidingFlow& flow, const SlowMode& mode);
 LargeStarts large_starts(const ChainFlow& flow, const SlowMode& mode);
 /// Only the start from near rest: the other modes of a motion with a past have no states to be swung in.
-LargeStarts large_starts(const LateFlow& flow, const SlowMode& mode);
+LargeStarts large_starts(const DelayedFlow& flow, const SlowMode& mode);
 
 }  // namespace stickslip

@@ -1,13 +1,14 @@
 // The verdict on one joint: where a disturbance ends, and which outcomes coexist.
 #include "analysis/simulation/attractor/nonlinear.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/attractor/criticality.h"
 #include "analysis/simulation/attractor/growth.h"
 #include "analysis/simulation/attractor/large_starts.h"
 #include "analysis/simulation/attractor/loop_answer.h"
 #include "analysis/simulation/flows/backwards.h"
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
@@ -45,7 +46,7 @@ bool held_by_spring(const ChainFlow& flow)
 {
     return flow.gain() >= 0;  // beside a spring to the surroundings the loop may have none
 }
-bool held_by_spring(const LateFlow& flow)
+bool held_by_spring(const DelayedFlow& flow)
 {
     return held_by_spring(flow.chain());
 }
@@ -184,7 +185,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     } else if (options.region) {
         try_larger(flow, mode, follow_options, cycle_start, verdict);
     }
-    if (!options.bifurcation || answers_late(joint)) return;
+    if (!options.bifurcation || has_delayed_friction(joint)) return;
     add_bifurcation(joint, flow, cycle_start, verdict);
     const bool followed = joint.mechanism.model == Model::single_mass && verdict.velocity_min > 0;
     if (verdict.region == NonlinearRegion::bistable && std::isnan(verdict.fold_k_p))
@@ -208,8 +209,8 @@ NonlinearVerdict verdict_of_flow(const Joint& joint, const NonlinearOptions& opt
             verdict.growth_missing = Detail::not_followed;
         }
     };
-    if (answers_late(joint))
-        judged(late_flow(joint));
+    if (has_delayed_friction(joint))
+        judged(delayed_flow(joint));
     else if (joint.mechanism.model == Model::single_mass)
         judged(sliding_flow(joint));
     else
@@ -219,8 +220,18 @@ NonlinearVerdict verdict_of_flow(const Joint& joint, const NonlinearOptions& opt
 
 }  // namespace
 
+std::string NonlinearOptions::problem() const
+{
+    return first_problem(tolerance_problem(rtol),
+                         problem_unless(turn_limit >= 1, "turn_limit", turn_limit, "at least 1"),
+                         problem_unless(effort > 0 && std::isfinite(effort), "effort", effort, "a number above 0"),
+                         problem_unless(!std::isinf(disturbance.size), "disturbance.size", disturbance.size,
+                                        "a finite number, or NaN for a small one"));
+}
+
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
+    require_valid(options);
     if (has_real_loop(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
     const double V0 = commanded_velocity(joint);
     if (!(V0 < 0)) return verdict_of_flow(joint, options);

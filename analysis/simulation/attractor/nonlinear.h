@@ -5,6 +5,8 @@
 #include "analysis/results/point.h"
 #include "analysis/simulation/flows/disturbance.h"
 
+#include <string>
+
 namespace stickslip {
 
 struct NonlinearOptions {
@@ -16,11 +18,15 @@ struct NonlinearOptions {
     bool accelerate = true;      ///< shooting and amplitude jumps; off: the motion is watched until it repeats
     bool fallback_only = false;  ///< Rodas5P in place of CVODE
     double effort = 1;           ///< how much a verdict may compute, per the usual
+
+    /// What is wrong with them; empty if nothing.
+    std::string problem() const;
 };
 
 /// Integrates the joint through its disturbance and says where it ends. A joint that has no nonlinear answer gets its
-/// reason (no velocity, linear_only, unsupported, …); exceptions never. Safe to call from many threads. Of friction
-/// that answers late, stability and folds of the cycles are not computed.
+/// reason (no velocity, linear_only, unsupported, …) and no exception; options with a problem() are a
+/// std::invalid_argument. Safe to call from many threads. Of friction
+/// that is delayed, stability and folds of the cycles are not computed.
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options);
 
 /// Writes a verdict into the nonlinear fields of a row whose linear fields stand; a bistable joint changes its region.

@@ -73,16 +73,16 @@ double ChainFlow::static_force(int i) const
 {
     const auto& b = body[i];
     const double at_rest = stickslip::static_force(b.friction);
-    // a curve with a jump at V = 0 is set-valued there if it answers late, whatever the law it is taken from
-    return b.late ? std::max(at_rest, steady_force(b.friction, rest_speed * b.ratio * b.speed)) : at_rest;
+    // a curve with a jump at V = 0 is set-valued there if it is delayed, whatever the law it is taken from
+    return b.delayed ? std::max(at_rest, steady_force(b.friction, rest_speed * b.ratio * b.speed)) : at_rest;
 }
 
-FrictionResponse ChainFlow::response(const FlowVector& y, int i, const LateFriction& late) const
+FrictionResponse ChainFlow::response(const FlowVector& y, int i, const DelayedForces& delayed) const
 {
     const auto& b = body[i];
-    if (b.late) {
+    if (b.delayed) {
         FrictionResponse given;
-        given.force = late[i];
+        given.force = delayed[i];
         return given;
     }
     const double V = b.ratio * velocity(y, i);
@@ -100,12 +100,12 @@ double ChainFlow::needed(const FlowVector& y, int i) const
     return sum;
 }
 
-void ChainFlow::rate(const FlowVector& y, const LateFriction& late, FlowVector& out) const
+void ChainFlow::rate(const FlowVector& y, const DelayedForces& delayed, FlowVector& out) const
 {
     out.setZero(size());
     for (int i = 0; i < bodies; ++i) {
         const auto& b = body[i];
-        const auto r = response(y, i, late);
+        const auto r = response(y, i, delayed);
         for (int j = 0; j < b.states; ++j) out[b.first_state + j] = r.rate[j];
         if (b.mode == Mode::stuck) {
             out[i] = -b.speed;
@@ -170,9 +170,9 @@ double ChainFlow::wind_up_time() const
     return 2 * held * compliance / V0;
 }
 
-double ChainFlow::link_friction(const FlowVector& y, const LateFriction& late) const
+double ChainFlow::link_friction(const FlowVector& y, const DelayedForces& delayed) const
 {
-    return link_stuck() ? needed(y, link()) : response(y, link(), late).force;
+    return link_stuck() ? needed(y, link()) : response(y, link(), delayed).force;
 }
 
 FlowVector ChainFlow::slow_start(double share) const

@@ -8,9 +8,9 @@
 
 namespace stickslip {
 
-/// What friction that answers late resists now, per body at its own side and against positive motion if that is how the
+/// What delayed friction resists now, per body at its own side and against positive motion if that is how the
 /// body moves. Nothing for other bodies, whose friction follows from the state.
-using LateFriction = std::array<double, max_bodies>;
+using DelayedForces = std::array<double, max_bodies>;
 
 /// M_i v̇_i + Σ_k (K_ik ξ_k + D_ik (v_k − w_k)) + u_i (k_p ξ_m + k_v (v_m − w_m)) + N_i (f_i − f_ss,i) = d_i in joint
 /// coordinates, ξ_i the displacement from the steady path, w_i the steady velocity of body i, N_i v_i the velocity that
@@ -25,7 +25,7 @@ class ChainFlow final : public SwitchingFlow {
         double inertia = 0, ratio = 0, speed = 0;  ///< M_i, N_i, w_i
         double steady_friction = 0;                ///< f_ss,i at the body's own side
         bool logarithmic = false, rests = false;
-        bool late = false;  ///< its friction is not known from the state (LateFlow)
+        bool delayed = false;  ///< its friction is not known from the state (DelayedFlow)
         int states = 0, first_state = 0;
         Mode mode = Mode::forward;
     };
@@ -39,7 +39,7 @@ class ChainFlow final : public SwitchingFlow {
     FlowVector steady() const override;
     FlowVector scale() const override;
     void rate(const FlowVector& y, FlowVector& out) const override { rate(y, {}, out); }
-    void rate(const FlowVector& y, const LateFriction& late, FlowVector& rate) const;
+    void rate(const FlowVector& y, const DelayedForces& delayed, FlowVector& rate) const;
     void jacobian(const FlowVector& y, FlowMatrix& jacobian) const override;
     double velocity(const FlowVector& y) const override { return velocity(y, link()); }
     double position(const FlowVector& y) const override { return y[link()]; }
@@ -54,11 +54,11 @@ class ChainFlow final : public SwitchingFlow {
 
     int switches() const override { return bodies; }
     void switch_values(const FlowVector& y, double* values) const override { switch_values(y, {}, values); }
-    void switch_values(const FlowVector& y, const LateFriction& late, double* values) const;
+    void switch_values(const FlowVector& y, const DelayedForces& delayed, double* values) const;
     void enter(FlowVector& y) override { enter(y, {}); }
-    void enter(FlowVector& y, const LateFriction& late);
+    void enter(FlowVector& y, const DelayedForces& delayed);
     void pass(int which, FlowVector& y) override { pass(which, y, {}); }
-    void pass(int which, FlowVector& y, const LateFriction& late);
+    void pass(int which, FlowVector& y, const DelayedForces& delayed);
     bool anything_rests() const override;
     std::unique_ptr<Flow> copy() const override { return std::make_unique<ChainFlow>(*this); }
 
@@ -66,26 +66,26 @@ class ChainFlow final : public SwitchingFlow {
     bool can_rest() const;
     double velocity(const FlowVector& y, int i) const;  ///< of body i, joint coordinates
     /// Friction on the link at y: of its law, or what holds it.
-    double link_friction(const FlowVector& y, const LateFriction& late = {}) const;
+    double link_friction(const FlowVector& y, const DelayedForces& delayed = {}) const;
     bool link_stuck() const { return body[link()].mode == Mode::stuck; }
 
     /// All bodies moving steadily at a share of V_0, those that can rest at rest if it is 0, springs in balance.
     FlowVector slow_start(double share) const;
 
   private:
-    friend struct ChainOrReason chain_flow(const Joint& joint, bool with_late_friction);
+    friend struct ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction);
     void set_velocity(FlowVector& y, int i, double v) const;
-    void settle(int i, FlowVector& y, const LateFriction& late);
+    void settle(int i, FlowVector& y, const DelayedForces& delayed);
     States states_of(const FlowVector& y, int i) const;
-    FrictionResponse response(const FlowVector& y, int i, const LateFriction& late) const;
+    FrictionResponse response(const FlowVector& y, int i, const DelayedForces& delayed) const;
     /// What friction must carry, in joint coordinates, for body i to keep its velocity.
     double needed(const FlowVector& y, int i) const;
     /// The largest friction at rest, at the body's own side.
     double static_force(int i) const;
     /// The same in joint coordinates. What a body resisted a lag ago it may still resist when it has come to rest.
-    double limit(int i, const LateFriction& late) const
+    double limit(int i, const DelayedForces& delayed) const
     {
-        return body[i].ratio * std::max(static_force(i), std::abs(late[i]));
+        return body[i].ratio * std::max(static_force(i), std::abs(delayed[i]));
     }
     double stiffness(int i, int k) const
     {
@@ -104,8 +104,8 @@ struct ChainOrReason {
     Reason reason = Reason::none;
 };
 
-/// The equations of motion of a joint of any number of bodies, or the reason why there are none. Friction that answers
-/// late is such a reason, unless the caller supplies it (LateFlow).
-ChainOrReason chain_flow(const Joint& joint, bool with_late_friction = false);
+/// The equations of motion of a joint of any number of bodies, or the reason why there are none. Delayed
+/// friction is such a reason, unless the caller supplies it (DelayedFlow).
+ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction = false);
 
 }  // namespace stickslip

@@ -7,7 +7,7 @@
 
 namespace stickslip {
 
-ChainOrReason chain_flow(const Joint& joint, bool with_late_friction)
+ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
 {
     ChainOrReason result;
     auto& flow = result.flow;
@@ -23,9 +23,9 @@ ChainOrReason chain_flow(const Joint& joint, bool with_late_friction)
         b.friction = *chain.body[i].friction;
         const auto about = info(b.friction.law);
         if (about.linear_only) result.reason = Reason::linear_only;
-        b.late = std::holds_alternative<TimeLag>(b.friction.law);
-        // memory on top of friction that answers late has states that nothing here follows
-        if (b.late && (!with_late_friction || states(b.friction) > 0)) result.reason = Reason::unsupported;
+        b.delayed = std::holds_alternative<TimeLag>(b.friction.law);
+        // memory on top of delayed friction has states that nothing here follows
+        if (b.delayed && (!with_delayed_friction || states(b.friction) > 0)) result.reason = Reason::unsupported;
         if (has_unsteady_terms(b.friction, joint.load)) result.reason = Reason::unsupported;
         if (sliding.velocity < 0) b.friction.asymmetry.coulomb *= -1, b.friction.asymmetry.viscous *= -1;
         b.inertia = chain.body[i].inertia;

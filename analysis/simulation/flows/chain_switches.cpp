@@ -6,43 +6,43 @@
 
 namespace stickslip {
 
-void ChainFlow::switch_values(const FlowVector& y, const LateFriction& late, double* values) const
+void ChainFlow::switch_values(const FlowVector& y, const DelayedForces& delayed, double* values) const
 {
     for (int i = 0; i < bodies; ++i) {
         const auto& b = body[i];
         if (!b.rests)
             values[i] = 1;
         else if (b.mode == Mode::stuck)
-            values[i] = 1 - std::abs(needed(y, i)) / limit(i, late);
+            values[i] = 1 - std::abs(needed(y, i)) / limit(i, delayed);
         else
             values[i] = velocity(y, i) / b.speed;
     }
 }
 
-void ChainFlow::settle(int i, FlowVector& y, const LateFriction& late)
+void ChainFlow::settle(int i, FlowVector& y, const DelayedForces& delayed)
 {
     set_velocity(y, i, 0);
     const double force_needed = needed(y, i);
-    body[i].mode = std::abs(force_needed) <= limit(i, late) ? Mode::stuck
-                   : force_needed > 0                       ? Mode::forward
-                                                            : Mode::reverse;
+    body[i].mode = std::abs(force_needed) <= limit(i, delayed) ? Mode::stuck
+                   : force_needed > 0                          ? Mode::forward
+                                                               : Mode::reverse;
 }
 
-void ChainFlow::enter(FlowVector& y, const LateFriction& late)
+void ChainFlow::enter(FlowVector& y, const DelayedForces& delayed)
 {
     for (int i = 0; i < bodies; ++i) {
         const double v = velocity(y, i);
         body[i].mode = v >= 0 ? Mode::forward : Mode::reverse;
-        if (body[i].rests && v == 0) settle(i, y, late);
+        if (body[i].rests && v == 0) settle(i, y, delayed);
     }
 }
 
-void ChainFlow::pass(int i, FlowVector& y, const LateFriction& late)
+void ChainFlow::pass(int i, FlowVector& y, const DelayedForces& delayed)
 {
     if (body[i].mode == Mode::stuck)
         body[i].mode = needed(y, i) > 0 ? Mode::forward : Mode::reverse;
     else
-        settle(i, y, late);
+        settle(i, y, delayed);
 }
 
 bool ChainFlow::anything_rests() const

@@ -71,29 +71,29 @@ FrictionResponse DrivenJoint::respond_as(const BodyData& b, const Friction& fric
     return respond_on(friction, branch, V, b.ratio * b.edge / rest_speed, theta);
 }
 
-/// What the friction of body i resists where its level is late, at its own side.
-double DrivenJoint::late_level(const double* y, int i, bool backwards) const
+/// What the friction of body i resists where its level is delayed, at its own side.
+double DrivenJoint::delayed_level(const double* y, int i, bool backwards) const
 {
     const auto& b = body_[i];
     const double then = std::abs(past_.then(i, now(y)).value);
-    return late_force(b.friction, b.ratio * std::max(then, rest_speed * b.speed), backwards);
+    return delayed_force(b.friction, b.ratio * std::max(then, rest_speed * b.speed), backwards);
 }
 
 /// Its change in time.
-double DrivenJoint::late_change(const double* y, int i) const
+double DrivenJoint::delayed_change(const double* y, int i) const
 {
     const auto& b = body_[i];
     const auto then = past_.then(i, now(y));
     const double V = b.ratio * std::abs(then.value);
     if (!(V > rest_speed * b.ratio * b.speed)) return 0;
-    const double slope = late_slope(b.friction, V, modes[i] == Mode::reverse);
+    const double slope = delayed_slope(b.friction, V, modes[i] == Mode::reverse);
     return slope * b.ratio * std::copysign(then.slope, then.slope * then.value);
 }
 
 void DrivenJoint::begin_past(const double* y, double velocity)
 {
-    if (!answers_late()) return;
-    LatePast::Speeds before{};
+    if (!has_delayed_friction()) return;
+    PastSpeeds::Speeds before{};
     before.fill(velocity);
     past_.begin(now(y), before);
 }
@@ -107,16 +107,16 @@ double DrivenJoint::step_limit(const double* y)
 
 void DrivenJoint::note_kink(const double* y, int lags)
 {
-    if (answers_late()) past_.note_kink(now(y), lags);
+    if (has_delayed_friction()) past_.note_kink(now(y), lags);
 }
 
 DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivatives) const
 {
     const auto& b = body_[i];
-    if (b.late) {
-        Contact late;
-        late.r.force = late_level(y, i, modes[i] == Mode::reverse);
-        return late;
+    if (b.delayed) {
+        Contact delayed;
+        delayed.r.force = delayed_level(y, i, modes[i] == Mode::reverse);
+        return delayed;
     }
     if (!b.bent) return {respond_as(b, b.friction, modes[i], y, i)};
     Friction raised = b.friction;
@@ -139,12 +139,12 @@ DrivenJoint::Contact DrivenJoint::contact(const double* y, int i, bool derivativ
 double DrivenJoint::limit(const double* y, int i, Branch branch) const
 {
     const auto& b = body_[i];
-    if (b.late) {
+    if (b.delayed) {
         // a curve with a jump at V = 0 is set-valued there, and what a body resisted a lag ago it may still resist
         const bool backwards = branch == Branch::reverse;
-        const double at_rest = std::abs(late_force(b.friction, b.ratio * rest_speed * b.speed, backwards));
+        const double at_rest = std::abs(delayed_force(b.friction, b.ratio * rest_speed * b.speed, backwards));
         const double most = std::max(static_force(b.friction), at_rest);
-        return b.ratio * std::max(most, std::abs(late_level(y, i, backwards)));
+        return b.ratio * std::max(most, std::abs(delayed_level(y, i, backwards)));
     }
     DrivenState still;
     std::copy_n(y, size_, still.begin());
@@ -200,7 +200,7 @@ void DrivenJoint::meet_flank(int i, double* y)
 
 void DrivenJoint::pass(int which, double* y)
 {
-    note_kink(y, LatePast::felt_lags);
+    note_kink(y, PastSpeeds::felt_lags);
     if (which >= bodies()) return meet_flank(which - bodies(), y);
     if (modes[which] == Mode::stuck)
         modes[which] = needed(y, which) > 0 ? Mode::forward : Mode::reverse;

@@ -68,9 +68,9 @@ DrivenJoint::DrivenJoint(const Joint& joint, double frame, double speed, LoopSid
         b.release = (contact ? break_away : 1) * b.edge;
         const auto& f = b.friction;
         b.bent = f.level_moves();
-        b.late = std::holds_alternative<TimeLag>(f.law);
-        if (b.late) past_.set_lag(i, std::get<TimeLag>(f.law).lag);
-        timed |= b.late;
+        b.delayed = std::holds_alternative<TimeLag>(f.law);
+        if (b.delayed) past_.set_lag(i, std::get<TimeLag>(f.law).lag);
+        timed |= b.delayed;
         timed |= (f.ripple.acts() && frame != 0) || f.drift.change != 0;
         b.states = stickslip::states(f);
         b.first_state = size_;
@@ -210,7 +210,7 @@ void DrivenJoint::jacobian(const double* y, double* J) const
         row[n + i] -= b.ratio * b.ratio * c.r.by_velocity * slope(i) * per;
         row[i] -= b.ratio * c.by_level * e.by_place * per;
         if (has_clock()) row[clock_index_] -= b.ratio * c.by_level * e.by_time * per;
-        if (b.late) row[clock_index_] -= b.ratio * late_change(y, i) * per;
+        if (b.delayed) row[clock_index_] -= b.ratio * delayed_change(y, i) * per;
         for (int j = 0; j < b.states; ++j) row[b.first_state + j] = -b.ratio * c.r.by_state[j] * per;
         if (i == 0) {
             const auto d = drive(y);

@@ -4,7 +4,7 @@
 #include "analysis/joint/drive.h"
 #include "analysis/results/detail.h"
 #include "analysis/simulation/flows/flow.h"
-#include "analysis/simulation/flows/late_past.h"
+#include "analysis/simulation/flows/past_speeds.h"
 #include "analysis/stability/linear_joint.h"
 
 #include <array>
@@ -74,14 +74,14 @@ class DrivenJoint {
     /// And those that hold at y, whatever was before: call it where `arriving` or the state jumps.
     void enter(double* y);
 
-    // Friction that answers late: its level is that of the speed a lag ago. The joint carries the past of one motion.
-    bool answers_late() const { return past_.is_late(); }
+    // Delayed friction: its level is that of the speed a lag ago. The joint carries the past of one motion.
+    bool has_delayed_friction() const { return past_.is_delayed(); }
     /// Begins a motion at y, after this velocity of all bodies for ever.
     void begin_past(const double* y, double velocity);
     /// The same where the clock has been set.
     void restart_past(const double* y)
     {
-        if (answers_late()) past_.restart(now(y));
+        if (has_delayed_friction()) past_.restart(now(y));
     }
     /// By when a step from y must end.
     double step_limit(const double* y);
@@ -110,7 +110,7 @@ class DrivenJoint {
     struct BodyData {
         Friction friction;
         double inertia, ratio, speed, extra_unit;
-        bool logarithmic, rests, late;
+        bool logarithmic, rests, delayed;
         double edge;     ///< speed below which a body that can rest comes to rest, joint coordinates
         double release;  ///< speed to which it breaks away
         bool bent;       ///< its level changes with place, time or load
@@ -136,8 +136,8 @@ class DrivenJoint {
     Contact contact(const double* y, int i, bool derivatives) const;
     FrictionResponse respond_as(const BodyData& b, const Friction& friction, Mode mode, const double* y, int i) const;
     double needed(const double* y, int i) const;
-    double late_level(const double* y, int i, bool backwards) const;
-    double late_change(const double* y, int i) const;
+    double delayed_level(const double* y, int i, bool backwards) const;
+    double delayed_change(const double* y, int i) const;
     void note_kink(const double* y, int lags);
     double limit(const double* y, int i, Branch branch) const;
     void settle(int i, double* y);
@@ -150,7 +150,7 @@ class DrivenJoint {
     std::array<BodyData, max_bodies> body_;
     int measured_ = 0, size_ = 0, lag_index_ = -1, clock_index_ = -1, switches_ = 0;
     DrivenState scale_{};
-    LatePast past_;
+    PastSpeeds past_;
 };
 
 template <class At>
@@ -161,7 +161,7 @@ void DrivenJoint::remember(const double* from, const double* to, const At& at)
     std::array<DrivenState, 3> inside;
     for (int k = 0; k < 3; ++k) at(0.25 * (k + 1), inside[k].data());
     for (int i = 0; i < bodies(); ++i) {
-        if (!body_[i].late) continue;
+        if (!body_[i].delayed) continue;
         SpeedHistory::Step step{t0, t1, {}};
         const double* y[] = {from, inside[0].data(), inside[1].data(), inside[2].data(), to};
         for (int k = 0; k < 5; ++k) step.velocity[k] = velocity(y[k], i);

@@ -68,7 +68,7 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
     if (first_wish_ > 0) wish_ = std::min(wish_, first_wish_);
     while (done < duration) {
         if (joint.switches() > 0) joint.switch_values(y.data(), before_.data());
-        const double left = joint.answers_late()
+        const double left = joint.has_delayed_friction()
                                 ? std::min(duration - done, joint.step_limit(y.data()) - joint.clock(y.data()))
                                 : duration - done;
         if (!step_to(left)) return false;
@@ -78,10 +78,10 @@ bool DrivenMotion::advance(double t, double duration, Observer&& observe)
         const int which = joint.switches() > 0 ? first_switch(fraction) : -1;
         if (which >= 0) land_on(which, fraction);
         observe(DrivenStep{t + done, step_, joint});
-        if (joint.answers_late())
+        if (joint.has_delayed_friction())
             joint.remember(y.data(), step_.y1.data(), [this](double f, double* at) { step_.dense(f, at); });
         y = step_.y1;
-        if (which >= 0 || (joint.answers_late() && step_.h >= left))
+        if (which >= 0 || (joint.has_delayed_friction() && step_.h >= left))
             step_.forget();
         else
             step_.carry();

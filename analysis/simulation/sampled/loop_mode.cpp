@@ -1,7 +1,7 @@
 // In one file: the slowest mode of a loop, by a matrix, behind a line of commands, or from the theory.
 #include "analysis/simulation/sampled/loop_mode.h"
 
-#include "analysis/loop/late_loop.h"
+#include "analysis/loop/delayed_loop.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
@@ -140,7 +140,7 @@ void find_behind_line(TickMap& map, std::size_t others, std::size_t commands, Lo
         mode.why = Detail::leaves_within_tick;
         return;
     }
-    LateLoop loop;
+    DelayedLoop loop;
     loop.period = mode.period;
     loop.A = Eigen::MatrixXd::Zero(m + 1, m + 1);
     loop.A.topLeftCorner(m, m) = H - Eigen::MatrixXd::Identity(m, m);

@@ -22,7 +22,8 @@ struct LoopMode {
     long window() const;
 };
 
-/// The same from the linear theory, without vectors: the past of late friction is no state that could be differenced.
+/// The same from the linear theory, without vectors: the past of delayed friction is no state that could be
+/// differenced.
 LoopMode mode_by_theory(const Joint& joint, double period);
 
 /// `loop` must be under fixed steps and slide steadily.

@@ -110,13 +110,13 @@ void log_along(const ReferenceMotion& reference, const std::vector<Told::Now>& t
                LoopRecord& record)
 {
     const double T = loop.period();
-    const long ticks = static_cast<long>(told.size()) - 1, late = loop.ticks_late();
-    for (long k = 0; k <= ticks + late; ++k) {
+    const long ticks = static_cast<long>(told.size()) - 1, delayed = loop.ticks_late();
+    for (long k = 0; k <= ticks + delayed; ++k) {
         const double t = reference.time.front() + static_cast<double>(k) * T;
         const auto& now = told[static_cast<std::size_t>(std::min(k, ticks))];
         const bool moved = loop.tick(now.position, now.velocity, now.feed_forward, [](const DrivenStep&) {});
         const auto& r = loop.readings();
-        if (k >= late && (k - late) % each == 0) record.effort_measured.push_back(r.effort);
+        if (k >= delayed && (k - delayed) % each == 0) record.effort_measured.push_back(r.effort);
         if (k <= ticks && k % each == 0) {
             record.time.push_back(t);
             record.reference_position.push_back(now.position);

@@ -23,8 +23,8 @@ std::complex<double> rate_of(const Joint& joint, double frame)
         smooth.motion.fixed_step = tick_of(joint) / 4;
         SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
         if (loop.begin_steadily()) {
-            const bool late = loop.motion.joint.answers_late();
-            const auto mode = late ? mode_by_theory(joint, loop.period()) : loop_mode(loop);
+            const bool delayed = loop.motion.joint.has_delayed_friction();
+            const auto mode = delayed ? mode_by_theory(joint, loop.period()) : loop_mode(loop);
             if (mode.known() && std::abs(mode.rate()) > 0) return mode.rate();
         }
     }

@@ -145,14 +145,14 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     verdict_.tick = linear.period();
     linear.motion.set_fixed_step(fixed_part * linear.period());
     if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, Detail::effort_limit);
-    const bool late = linear.motion.joint.answers_late();
-    mode_ = late ? mode_by_theory(joint_, linear.period()) : loop_mode(linear);
+    const bool delayed = linear.motion.joint.has_delayed_friction();
+    mode_ = delayed ? mode_by_theory(joint_, linear.period()) : loop_mode(linear);
     verdict_.growth_missing = mode_.why;
     verdict_.multiplier = mode_.multiplier;
     if (!mode_.known()) return refuse(Reason::not_converged, mode_.why);
     const double V0 = commanded_velocity(joint_);
     const auto s = mode_.rate();
-    if (late)
+    if (delayed)
         verdict_.growth_rate = s.real();
     else if (by == GrowthBy::motion)
         verdict_.growth_rate = measure_loop_growth(linear, mode_);

@@ -63,16 +63,16 @@ SampledLoop::SampledLoop(const Joint& joint, double frame, double speed, LoopSid
       controller_(joint, frame_reading_, motion.joint.reading_ratio())
 {
     const auto in_ticks = [&](double time, double& part) {
-        const double late = time / period_, ticks = std::floor(late + whole);
-        part = late - ticks > whole ? late - ticks : 0;
+        const double delayed = time / period_, ticks = std::floor(delayed + whole);
+        part = delayed - ticks > whole ? delayed - ticks : 0;
         return ticks;
     };
     if (!(period_ > 0) || !std::isfinite(joint_.dead_time() / period_))
         throw std::domain_error(std::string(no_time_step));
-    const double ticks = in_ticks(joint_.dead_time(), late_part_);
+    const double ticks = in_ticks(joint_.dead_time(), delayed_part_);
     ticks_late_ = static_cast<long>(in_ticks(joint.sensor.delay, reading_part_));
     // with a part of a tick of dead time the command before the oldest one still holds when a tick begins
-    line_.resize(static_cast<std::size_t>(ticks) + 1 + (late_part_ > 0 ? 1 : 0));
+    line_.resize(static_cast<std::size_t>(ticks) + 1 + (delayed_part_ > 0 ? 1 : 0));
 }
 
 bool SampledLoop::within_limits() const
@@ -205,17 +205,17 @@ double SampledLoop::measured_effort()
 double SampledLoop::open_tick()
 {
     ask(0, frame_reading_, 0);
-    in_late_part_ = late_part_ > 0;
-    return in_late_part_ ? late_part_ * period_ : period_;
+    in_delayed_part_ = delayed_part_ > 0;
+    return in_delayed_part_ ? delayed_part_ * period_ : period_;
 }
 
 double SampledLoop::next_piece()
 {
-    if (!in_late_part_) return ++ticks_, 0;
-    in_late_part_ = false;
+    if (!in_delayed_part_) return ++ticks_, 0;
+    in_delayed_part_ = false;
     motion.joint.arriving = line_[1];
     motion.enter();
-    return period_ - late_part_ * period_;
+    return period_ - delayed_part_ * period_;
 }
 
 std::vector<double> SampledLoop::state() const

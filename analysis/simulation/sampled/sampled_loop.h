@@ -104,10 +104,10 @@ class SampledLoop {
     double period_, frame_reading_;
     LoopController controller_;
     std::vector<double> line_;  ///< commands on their way, oldest first; the last is that of the present tick
-    double late_part_ = 0;      ///< of the tick, in which the command before the oldest still holds
+    double delayed_part_ = 0;   ///< of the tick, in which the command before the oldest still holds
     long ticks_late_ = 0;
     double reading_part_ = 0;  ///< of the tick by which readings are late beyond whole ones
-    bool in_late_part_ = false;
+    bool in_delayed_part_ = false;
     long ticks_ = 0;
     double clock_ = 0;  ///< of the controller at its first tick
     double steady_command_ = missing;
@@ -126,7 +126,7 @@ bool SampledLoop::tick(double reference, double rate, double added, Observer&& o
 template <class Observer>
 bool SampledLoop::move(Observer&& observe)
 {
-    const double t = time(), early = late_part_ * period_, logged = reading_part_ * period_;
+    const double t = time(), early = delayed_part_ * period_, logged = reading_part_ * period_;
     bool moved = true;
     double from = 0;
     const auto advance = [&](double to) {

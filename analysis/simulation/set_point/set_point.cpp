@@ -1,5 +1,6 @@
 #include "analysis/simulation/set_point/set_point.h"
 
+#include "analysis/base/require_valid.h"
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/set_point/hunting_search.h"
 #include "analysis/simulation/set_point/presliding.h"
@@ -117,7 +118,7 @@ SetPoint with_bristles(const Regulator& regulator, const Friction& law, const Re
 }
 
 /// Whether the command acts later than the error that it answers.
-bool late(const Joint& joint)
+bool delayed(const Joint& joint)
 {
     return is_set(joint.control.period) || joint.control.delay > 0 || joint.sensor.delay > 0 || joint.actuator.lag > 0;
 }
@@ -127,7 +128,7 @@ bool late(const Joint& joint)
 bool pushes_itself(const Joint& joint, const Regulator& regulator, double held)
 {
     const auto& push = regulator.push;
-    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && late(joint);
+    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && delayed(joint);
 }
 
 SetPoint pushed_about(SetPointReason reason)
@@ -227,8 +228,14 @@ bool integrates(const Joint& joint)
     return gains_of(joint.control).k_i != 0;
 }
 
+std::string SetPointQuestion::problem() const
+{
+    return problem_unless(starts_per_decade >= 1, "starts_per_decade", starts_per_decade, "at least 1");
+}
+
 SetPoint set_point(const Joint& joint, const SetPointQuestion& question)
 {
+    require_valid(question);
     SetPoint s = decided(joint, question);
     const auto friction = resting_friction(joint.friction);
     if (friction.reason == SetPointReason::none) s.own_level = friction.friction.dry.breakaway;

@@ -3,6 +3,8 @@
 #include "analysis/joint/joint.h"
 #include "analysis/results/set_point.h"
 
+#include <string>
+
 namespace stickslip {
 
 /// Whether the loop integrates, so that a set point is a question of its own.
@@ -10,6 +12,9 @@ bool integrates(const Joint& joint);
 
 struct SetPointQuestion {
     int starts_per_decade = 8;  ///< how densely the starts of slips are looked at where there is no closed form
+
+    /// What is wrong with them; empty if nothing.
+    std::string problem() const;
 };
 
 /// Hunting at a set point: in closed form for Coulomb friction with a static level under nothing but gains; by events

@@ -27,11 +27,11 @@ struct Scan {
 };
 Scan scan_of(const PidMass& mass)
 {
-    constexpr double early = 1e-2, late = 1e4, turns = 20;
+    constexpr double early = 1e-2, delayed = 1e4, turns = 20;
     const auto roots = cubic_roots(mass.damping / mass.inertia, mass.k_p / mass.inertia, mass.k_i / mass.inertia);
     double fastest = 0, slowest = infinity;
     for (const auto& s : roots) fastest = std::max(fastest, std::abs(s)), slowest = std::min(slowest, std::abs(s));
-    return {early / fastest, late / slowest, turns / fastest, fastest};
+    return {early / fastest, delayed / slowest, turns / fastest, fastest};
 }
 
 constexpr double precision_of_slip = 1e-15;

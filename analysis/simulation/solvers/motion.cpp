@@ -2,7 +2,7 @@
 #include "analysis/simulation/solvers/motion.h"
 
 #include "analysis/base/work_limits.h"
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ constexpr int most_restarts = 5;
 SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
     : flow_(flow.copy()), solver_(solver), rtol_(rtol)
 {
-    late_ = dynamic_cast<LateFlow*>(flow_.get());
-    if (late_) solver_ = Solver::rodas5p;
+    delayed_ = dynamic_cast<DelayedFlow*>(flow_.get());
+    if (delayed_) solver_ = Solver::rodas5p;
     stepper_ = stepper(solver_, rtol_);
     auto* sliding = dynamic_cast<SlidingFlow*>(flow_.get());
     if (sliding && sliding->can_rest()) mutable_flow_ = sliding;
@@ -62,7 +62,7 @@ void SlidingMotion::start(const FlowVector& y, double t)
     release_excess_ = SlidingFlow::least_excess;
     stepper_ = stepper(solver_, rtol_);
     idle_switches_ = 0;
-    if (late_) late_->begin(y_);
+    if (delayed_) delayed_->begin(y_);
     if (switching_) switching_->enter(y_);
     if (mutable_flow_ && y_[1] == 0) {
         arrive_at_rest();
@@ -81,7 +81,7 @@ void SlidingMotion::surround(double force, double normal_load)
         arrive_at_rest();
     } else {
         if (switching_) switching_->enter(y_);
-        if (late_) late_->note_kink(y_);
+        if (delayed_) delayed_->note_kink(y_);
         restart();
     }
     notify();
@@ -150,7 +150,7 @@ std::optional<Turn::End> SlidingMotion::slide(double t_end, const std::function<
 {
     const double from = stepper_->time();
     const FlowVector before = y_;
-    const double limit = late_ ? std::min(t_end, t_ + late_->step_limit(y_) - late_->clock(y_)) : t_end;
+    const double limit = delayed_ ? std::min(t_end, t_ + delayed_->step_limit(y_) - delayed_->clock(y_)) : t_end;
     ++turn.steps;
     auto report = stepper_->step(limit - clock_);
     if (report.end == StepEnd::failure) {
@@ -165,7 +165,7 @@ std::optional<Turn::End> SlidingMotion::slide(double t_end, const std::function<
         report = {StepEnd::event, touch->event, -1};
         to = touch->time, t_ = clock_ + to, y_ = stepper_->at(to);
     }
-    if (late_) late_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (to - from)); });
+    if (delayed_) delayed_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (to - from)); });
     if (to > from) idle_switches_ = 0;
     if (steps_of_clock_ > settled_steps) restarts_ = 0;
     const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;

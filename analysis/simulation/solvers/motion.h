@@ -7,7 +7,7 @@
 
 namespace stickslip {
 
-class LateFlow;
+class DelayedFlow;
 
 /// One revolution, from one downward crossing of V = V_0 to the next.
 struct Turn {
@@ -36,7 +36,7 @@ struct Instant {
 
 /// Follows one flow. Laws that are set-valued at rest stick there while the force needed to hold the mass stays within
 /// the static friction; sticking has a closed form (the spring winds up at V_0) and ends with forward or reverse
-/// sliding. Friction that answers late is followed by the one-step method whichever is requested: it ends its steps at
+/// sliding. Delayed friction is followed by the one-step method whichever is requested: it ends its steps at
 /// kinks.
 class SlidingMotion {
   public:
@@ -52,7 +52,7 @@ class SlidingMotion {
 
     double time() const { return t_; }
     const FlowVector& state() const { return y_; }
-    const Flow& flow() const { return *flow_; }  ///< with the branches that hold, and the past of a late one
+    const Flow& flow() const { return *flow_; }  ///< with the branches that hold, and the past of a delayed one
     bool used_fallback() const { return used_fallback_; }
     void observe(std::function<void(const Instant&)> observer) { observer_ = std::move(observer); }
 
@@ -82,7 +82,7 @@ class SlidingMotion {
     std::unique_ptr<Flow> flow_;
     SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched
     SwitchingFlow* switching_ = nullptr;   ///< flow_, where several bodies may rest
-    LateFlow* late_ = nullptr;             ///< flow_, where friction answers late
+    DelayedFlow* delayed_ = nullptr;       ///< flow_, where friction is delayed
     Events events_;
     std::unique_ptr<Stepper> stepper_;
     Solver solver_;

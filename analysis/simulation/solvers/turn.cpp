@@ -46,7 +46,7 @@ void SlidingMotion::measure_step(double from, double to, const FlowVector& befor
     if (!rate_known_) flow_->rate(before, r0);
     flow_->rate(y_, r1);
     rate_ = r1;
-    rate_known_ = !late_;  // its rate at one instant depends on the piece of its past
+    rate_known_ = !delayed_;  // its rate at one instant depends on the piece of its past
     const double h = to - from;
     const double m0 = flow_->speed_measure(before), m1 = flow_->speed_measure(y_);
     const double s0 = flow_->speed_gradient(before).dot(r0), s1 = flow_->speed_gradient(y_).dot(r1);

@@ -18,7 +18,7 @@ class Work {
     static constexpr double for_ticks = 4;
 
     static constexpr double of_step(int equations) { return 2 + equations; }  ///< of CVODE or Rodas5P
-    static constexpr double of_late_step(int equations) { return 2 * of_step(equations); }
+    static constexpr double of_delayed_step(int equations) { return 2 * of_step(equations); }
     /// Within a tick: 0.45 µs of two equations, 2.4 µs of six, 4.4 µs of nine.
     static double of_driven_step(int equations) { return 0.55 * equations * std::sqrt(equations); }
 

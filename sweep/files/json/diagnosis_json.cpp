@@ -1,8 +1,5 @@
 #include "sweep/files/json/diagnosis_json.h"
 
-#include "analysis/joint/gains.h"
-#include "analysis/joint/loop_side.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/experiment_text.h"
@@ -126,30 +123,20 @@ void add_notes(Json& json, const char* sentences, const char* codes, const std::
 
 }  // namespace
 
-Json boundary_json(const Joint& given, double speed)
+Json windows_json(const StableWindows& w)
 {
-    const Joint summed = with_gains(given);  // a cascade has k_p only as part of its sum of gains
-    Joint joint = with_loop_at_joint(summed);
-    if (!is_set(joint.control.V0) && !is_set(joint.control.force_rate)) joint.control.V0 = 0.1 * speed;
-    try {
-        const auto verdict = linear_verdict(joint);
-        // as the drive counts them, which reads and pushes at the encoder's side of a gear
-        const double unit = summed.control.k_p > 0 ? joint.control.k_p / summed.control.k_p : 1;
-        Json stable = Json::array();
-        for (const auto& i : verdict.state_variable.stable_intervals)
-            stable.push_back({json_number(i.low / unit), json_number(i.high / unit)});
-        return {{"V0", json_number(joint.control.V0)},
-                {"velocity_only_k_v_min", json_number(verdict.velocity_only.k_v_min / unit)},
-                {"state_variable_stable", verdict.state_variable.stable},
-                {"spectral_abscissa", json_number(verdict.state_variable.spectral_abscissa)},
-                {"stable_k_p", stable},
-                {"k_cr", json_number(verdict.state_variable.k_cr / unit)}};
-    } catch (const std::exception& e) {
-        return {{"reason", e.what()}, {"reason_code", "not-computed"}};
-    }
+    if (!w.refused.empty()) return {{"reason", w.refused}, {"reason_code", "not-computed"}};
+    Json stable = Json::array();
+    for (const auto& i : w.k_p) stable.push_back({json_number(i.low), json_number(i.high)});
+    return {{"V0", json_number(w.V0)},
+            {"velocity_only_k_v_min", json_number(w.k_v_min)},
+            {"state_variable_stable", w.stable},
+            {"spectral_abscissa", json_number(w.spectral_abscissa)},
+            {"stable_k_p", stable},
+            {"k_cr", json_number(w.k_cr)}};
 }
 
-Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
+Json diagnosis_json(const Diagnosis& d, const WindowsOfBoth& windows)
 {
     if (d.verdict == Verdict::gap && d.overall.worse())
         throw std::logic_error("a diagnosis names a cause that makes held-out data worse");
@@ -191,8 +178,7 @@ Json diagnosis_json(const Diagnosis& d, const Joint& before, const Joint& after)
                                {"before", json_number(d.drive_force.before)},
                                {"after", json_number(d.drive_force.after)}};
     add_ladder(d, json);
-    json["boundary"] = {{"before", boundary_json(before, d.usual_speed)},
-                        {"after", boundary_json(after, d.usual_speed)}};
+    json["boundary"] = {{"before", windows_json(windows.before)}, {"after", windows_json(windows.after)}};
     add_notes(json, "notes", "note_codes", d.notes);
     return json;
 }

@@ -1,8 +1,5 @@
 #include "sweep/files/json/study_json.h"
 
-#include "analysis/stability/real_response.h"
-#include "analysis/stability/steady.h"
-
 #include "sweep/words/study_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -109,28 +106,20 @@ Json reduction_json(const ReductionStudy& r)
     return json;
 }
 
-/// Two decades to either side of the joint's own gain, in twelve steps a decade.
-Json locus_json(const Joint& joint)
+Json locus_json(const std::vector<GainRoots>& locus)
 {
-    const bool finite = (loop_kind(joint) == LoopKind::sampled && !many_dead_ticks(joint)) ||
-                        (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
-    const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
-    std::vector<double> gains;
-    for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
-    const auto rows = root_locus(joint, gains);
-    if (rows.empty()) return Json::array();
     Json json = Json::array();
-    for (std::size_t i = 0; i < gains.size(); ++i) {
+    for (const auto& at : locus) {
         Json roots = Json::array();
-        for (const auto& s : rows[i]) roots.push_back({json_number(s.real()), json_number(s.imag())});
-        json.push_back({{"k_p", gains[i]}, {"roots", roots}});
+        for (const auto& s : at.roots) roots.push_back({json_number(s.real()), json_number(s.imag())});
+        json.push_back({{"k_p", at.k_p}, {"roots", roots}});
     }
     return json;
 }
 
 }  // namespace
 
-Json study_json(const Joint& joint, const LinearStudy& s)
+Json study_json(const LinearStudy& s, const std::vector<GainRoots>& locus)
 {
     Json json;
     json["response"] = {{"at_rest", json_number(s.compliance)},
@@ -144,7 +133,7 @@ Json study_json(const Joint& joint, const LinearStudy& s)
                        {"crossover", json_number(s.margins.crossover)},
                        {"reason", or_null(margins_reason_text(unbounded, s.comparison.searched_to))},
                        {"reason_codes", codes_json(unbounded)}};
-    json["root_locus"] = locus_json(joint);
+    json["root_locus"] = locus_json(locus);
     json["velocities"] = velocity_study_json(s);
     json["comparison"] = comparison_json(s.comparison);
     json["comparison"]["optimal_mix"] = {{"velocity_noise", json_number(s.velocity_noise)},

@@ -16,6 +16,7 @@
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/boundary_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/boundary_charts.h"
@@ -183,14 +184,14 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         "boundary", "Locate boundaries along axes and over two of them: linear, folds of cycles, outcomes, V_min");
     verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
     verb->add_option("--kind", options->kinds, "kinds of boundary, one or more; default: velocity-only linear")
-        ->check(CLI::IsMember(kinds));
+        ->check(one_of(kinds));
     verb->add_option("--along", options->along,
                      "axes: PATH or PATH=FROM..TO, SI or with units, optionally followed by :log or :linear");
     verb->add_option("--over", options->over, "two axes, x then y, each as in --along")->expected(2);
     verb->add_option("--set", options->settings, "set a parameter first: path=value");
     verb->add_option("--disturbance", options->disturbance,
                      "disturbance that decides the outcome; default: that of the spec, else a start from V0/10⁴")
-        ->check(CLI::IsMember(disturbances));
+        ->check(one_of(disturbances));
     verb->add_option("--size", options->size,
                      "of the disturbance: m, m/s, N·s, N (rad, …); for start: the share of V0 from which V0 is "
                      "commanded")

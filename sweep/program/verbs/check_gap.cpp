@@ -94,7 +94,7 @@ int check_gap(const GapCheckQuestion& question, const Invocation& invocation)
         for (const auto& reason : found.diagnosis.reasons) reasons.push_back(note_text(reason));
         throw BadInput(reasons);
     }
-    const auto now = diagnosis_json(found.diagnosis, found.before, found.after);
+    const auto now = diagnosis_json(found.diagnosis, found.windows);
     if (!question.directory.empty()) write_joint_diagnosis(found, question.directory, invocation.command, true);
     if (question.update) {
         const auto facts = diagnosis_facts(now, question.baseline);

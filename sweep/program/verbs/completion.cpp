@@ -1,6 +1,7 @@
 // stickslip completion: what a shell needs to finish words, made from the verbs and options themselves.
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 
 #include <fmt/format.h>
 
@@ -172,7 +173,7 @@ void add_completion(CLI::App& app, Invocation& invocation)
 {
     auto shell = std::make_shared<std::string>();
     auto* verb = app.add_subcommand("completion", "Print what bash, zsh or fish needs to complete verbs and options");
-    verb->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    verb->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
     verb->footer(
         "Examples: source <(stickslip completion bash)\n"
         "          stickslip completion fish | source");

@@ -17,6 +17,7 @@
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/design_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/words/verdict_text.h"
@@ -138,7 +139,7 @@ void add_set_point_options(CLI::App& verb, CLI::Option& holds, SetPointOptions& 
 {
     verb.add_option("--over", held.over,
                     "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")
-        ->check(CLI::IsMember({"control.k_i", "control.dead_zone", "push", "control.dither"}))
+        ->check(one_of({"control.k_i", "control.dead_zone", "push", "control.dither"}))
         ->needs(&holds);
     verb.add_option("--friction-margin", held.friction_margin,
                     "of a set point: uncertainty of static and kinetic friction, each, as a share")

@@ -85,7 +85,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     d.notes.insert(d.notes.begin(), of_reader.begin(), of_reader.end());
     const auto next = next_outcome_text(answer);
     remove_earlier(directory);
-    auto json = diagnosis_json(d, joint, answer.after);
+    auto json = diagnosis_json(d, {own_windows(joint, d.usual_speed), own_windows(answer.after, d.usual_speed)});
     json["next_experiment"]["description"] = next;
     if (!answer.next.settings.empty()) {
         json["next_experiment"]["file"] = "next-outcome.csv";
@@ -94,9 +94,11 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     write_whole(directory / "diagnosis.json", json.dump(2) + "\n");
     if (!options.no_report) {
         const auto maps = answer.laws.empty() ? OutcomeMaps{} : outcome_maps(answer, joint);
-        write_report(
-            outcome_report(answer, maps, joint, {{"version", program_version()}, {"command", invocation.command}}),
-            directory);
+        const auto moved =
+            d.verdict == Verdict::gap ? moved_boundary(joint, answer.after, d.usual_speed) : MovedBoundary{};
+        write_report(outcome_report(answer, maps, joint, moved,
+                                    {{"version", program_version()}, {"command", invocation.command}}),
+                     directory);
     }
     if (options.json) {
         fmt::print("{}\n", json.dump(2));

@@ -122,7 +122,7 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
     // a rig fits laws as they are
     const bool of_rig = gap::is_rig(given.records.front());
     const Joint joint = of_rig ? documented : gap::record_form(documented);
-    JointDiagnosis found{{}, joint, joint, !given.contradictions.empty(), of_rig};
+    JointDiagnosis found{{}, joint, joint, {}, !given.contradictions.empty(), of_rig};
     Diagnosis& d = found.diagnosis;
     if (found.contradicted) {
         // a cause fitted to records in another unit would be named with confidence, and wrong
@@ -142,6 +142,7 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
         }
     }
     d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());
+    found.windows = {own_windows(found.before, d.usual_speed), own_windows(found.after, d.usual_speed)};
     if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back({.text = plain_text(side)});
     if (const auto law = of_rig ? "" : gap::rewritten_law(documented); !law.empty())
         d.notes.push_back({.text = rewritten_law_text(law)});
@@ -152,20 +153,23 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
 
 std::string joint_diagnosis_json(const JointDiagnosis& found)
 {
-    return diagnosis_json(found.diagnosis, found.before, found.after).dump(2) + "\n";
+    return diagnosis_json(found.diagnosis, found.windows).dump(2) + "\n";
 }
 
 void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
                            const std::string& command, bool page, const JointOfRobot& of)
 {
-    const auto& [d, before, after, contradicted, rig] = found;
+    const auto& [d, before, after, windows, contradicted, rig] = found;
     remove_earlier(directory);
     write_whole(directory / "diagnosis.json", joint_diagnosis_json(found));
     const auto corrected = corrected_joint(d, before, after);
     if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (page) {
-        auto report = diagnosis_report(d, before, after, {{"version", program_version()}, {"command", command}},
+        const bool named = d.verdict == Verdict::gap && !rig;
+        const auto moved =
+            named ? moved_boundary(before, after, reported_velocity(before, d.usual_speed)) : MovedBoundary{};
+        auto report = diagnosis_report(d, before, after, moved, {{"version", program_version()}, {"command", command}},
                                        corrections(corrected, before, after, rig), rig);
         if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
         write_linked_report(report, directory, {}, {of.robot, of.page});

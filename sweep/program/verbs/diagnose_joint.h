@@ -5,6 +5,7 @@
 #include "sweep/files/records/record_file.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/study/stable_windows.h"
 
 #include <filesystem>
 #include <string>
@@ -24,6 +25,7 @@ struct GatheredRecords {
 struct JointDiagnosis {
     Diagnosis diagnosis;
     Joint before, after;
+    WindowsOfBoth windows;      ///< stable gains of both
     bool contradicted = false;  ///< records and joint are in different units: nothing was concluded
     bool rig = false;           ///< a friction rig, which has no controller
 };

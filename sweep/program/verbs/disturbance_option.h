@@ -2,6 +2,7 @@
 #pragma once
 #include "sweep/files/text/bad_input.h"
 #include "sweep/program/verbs/number_option.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/study/spec.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +21,7 @@ struct DisturbanceOption {
         std::vector<std::string> kinds;
         for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);
         verb.add_option("--disturbance", kind, "what is disturbed; default: a spec's own, else position")
-            ->check(CLI::IsMember(kinds));
+            ->check(one_of(kinds));
         verb.add_option("--size", size,
                         "size of the disturbance in SI; default: a spec's own, else small, in the slow mode")
             ->check(finite_number());

@@ -1,15 +1,22 @@
 // stickslip evaluate: everything the theory says about one joint.
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/text.h"
-#include "sweep/files/json/load_json.h"
-#include "sweep/files/json/nonlinear_json.h"
-#include "sweep/files/json/set_point_json.h"
-#include "sweep/files/json/study_json.h"
-#include "sweep/files/json/verdict_json.h"
-#include "sweep/program/verbs/evaluated.h"
+#include "analysis/stability/frequency_search.h"
+#include "sweep/engine/build.h"
+#include "sweep/files/json/evaluation_json.h"
+#include "sweep/files/toml/asked_axes.h"
+#include "sweep/files/toml/servo_text.h"
+#include "sweep/program/verbs/disturbance_option.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/left_out.h"
+#include "sweep/program/verbs/no_sliding.h"
+#include "sweep/program/verbs/stage_line.h"
+#include "sweep/program/verbs/surroundings_option.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/report/pages/evaluation_report.h"
 #include "sweep/report/pages/load_section.h"
+#include "sweep/report/write_report.h"
+#include "sweep/study/evaluation.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/neighbour_text.h"
@@ -25,48 +32,21 @@
 namespace stickslip {
 namespace {
 
-nlohmann::ordered_json forced_json(const AskedDisturbance& asked, const DisturbedMotion& motion)
-{
-    return {{"kind", asked.kind},
-            {"size", asked.size},
-            {"duration", motion.memory.time.back()},
-            {"peak", motion.peak},
-            {"peak_time", motion.peak_time},
-            {"final", motion.memory.position.back()}};
-}
+struct Options {
+    std::string joint, directory;
+    std::vector<std::string> settings;
+    DisturbanceOption disturbance;
+    SurroundingsOption surroundings;
+    double effort = 1;
+    bool json = false, ideal_loop = false;
+};
 
 void print_rows(const Table& table)
 {
     for (const auto& row : table.rows) fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
 }
 
-nlohmann::ordered_json evaluate_json(const Evaluated& e, const AskedDisturbance& force)
-{
-    nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}, {"decided", e.answered()}};
-    json.update(verdict_json(e.verdict));
-    if (e.decided()) json["linear"].update(study_json(e.summed, *e.study));
-    if (e.motion) json["linear"]["forced"] = forced_json(force, *e.motion);
-    if (e.loads) json["linear"]["normal_load"] = load_json(*e.loads);
-    json["nonlinear"] = nonlinear_json(e.nonlinear);
-    json["contradicting_terms"] = e.contradicting;
-    for (const auto& mode : e.near)
-        json["warnings"].push_back({{"code", "neighbour-mode"},
-                                    {"neighbour", mode.neighbour},
-                                    {"omega", mode.omega},
-                                    {"friction_omega", mode.friction}});
-    if (e.rest) json["set_point"] = set_point_json(*e.rest);
-    if (e.integral)
-        json["linear"]["integral_cost"] = {
-            {"margin", e.integral->with}, {"margin_without", e.integral->without}, {"share", e.integral->share()}};
-    if (e.described) {
-        json["notes"].push_back(left_out_text(left_out_by_ideal(*e.described), e.described_growth));
-        json["note_codes"].push_back("ideal-loop");
-    }
-    if (!e.servo.empty()) json["notes"].push_back(e.servo), json["note_codes"].push_back("servo");
-    return json;
-}
-
-void print_text(const Evaluated& e)
+void print_text(const JointEvaluation& e, const std::string& servo)
 {
     if (e.rest) fmt::print("{}\n", plain_text(set_point_text(*e.rest, e.units())));
     if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
@@ -76,14 +56,14 @@ void print_text(const Evaluated& e)
             fmt::print("{}\n", contradicted_text(e.contradicting, e.verdict.state_variable.stable));
         const bool bistable = e.nonlinear.region == NonlinearRegion::bistable;
         const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable));
-        fmt::print("{}\n", e.described ? of_ideal_loop(verdict) : verdict);
+        fmt::print("{}\n", e.left_out ? of_ideal_loop(verdict) : verdict);
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }
-    if (e.described) fmt::print("{}\n", left_out_text(left_out_by_ideal(*e.described), e.described_growth));
+    if (e.left_out) fmt::print("{}\n", left_out_text(e.left_out->loop, e.left_out->growth));
     for (const auto& mode : e.near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, e.units())));
     if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));
-    if (!e.servo.empty()) fmt::print("{}\n", e.servo);
+    if (!servo.empty()) fmt::print("{}\n", servo);
     if (e.motion)
         fmt::print("  {:<40} {} at {}\n", "largest linear response to the force",
                    with_unit(e.motion->peak, Quantity::position, e.units()),
@@ -91,20 +71,63 @@ void print_text(const Evaluated& e)
     if (e.loads) print_rows(load_table(e.joint, *e.loads));
 }
 
-int evaluate(const EvaluateOptions& options, const Invocation& invocation)
+const char* stage_words(EvaluationStage stage)
 {
+    switch (stage) {
+        case EvaluationStage::linear:
+            return "the roots and the stable gains";
+        case EvaluationStage::nonlinear:
+            return "what the nonlinear joint does";
+        case EvaluationStage::study:
+            return "reductions, force ramps and critical velocities";
+        case EvaluationStage::surroundings:
+            return "the motion under load, and rest";
+    }
+    return "";
+}
+
+EvaluationQuestion question_of(const Options& options)
+{
+    const auto asked = read_spec_or_joint(options.joint, options.settings);
+    EvaluationQuestion question;
+    question.joint = asked.design;
+    question.ideal_loop = options.ideal_loop;
+    question.nonlinear.bifurcation = true;
+    question.nonlinear.disturbance = options.disturbance.disturbance(asked.spec.nonlinear);
+    question.nonlinear.rtol = asked.spec.nonlinear.tolerance;
+    question.nonlinear.effort = options.effort;
+    question.force = options.surroundings.force_on(asked.design);
+    if (options.surroundings.loaded()) question.normal_load = options.surroundings.normal_load();
+    question.study = options.json || !options.directory.empty();
+    return question;
+}
+
+std::filesystem::path write_page(const JointEvaluation& e, const std::string& directory, const std::string& command)
+{
+    auto report = evaluation_report(e, evaluation_charts(e));
+    report.provenance = {{"version", program_version()}, {"command", command}};
+    return write_report(report, directory);
+}
+
+int evaluate(const Options& options, const Invocation& invocation)
+{
+    const auto question = question_of(options);
+    say_no_sliding(options.joint, options.settings,
+                   options.ideal_loop ? with_ideal_loop(question.joint) : question.joint);
+    set_search_effort(options.effort);
     std::filesystem::path page;
-    const Evaluated e = [&] {
+    const JointEvaluation e = [&] {
         StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
-        auto found = evaluated(options, line);
+        auto found = evaluate_joint(question, [&](EvaluationStage stage) { line.stage(stage_words(stage)); });
         line.stage("what its page draws");
-        if (!options.directory.empty()) page = write_evaluated(found, options, invocation.command);
+        if (!options.directory.empty()) page = write_page(found, options.directory, invocation.command);
         return found;
     }();
+    const auto servo = files::servo_text(options.joint);
     if (options.json) {
-        fmt::print("{}\n", evaluate_json(e, options.surroundings.force).dump(2));
+        fmt::print("{}\n", evaluation_json(e, servo).dump(2));
     } else {
-        print_text(e);
+        print_text(e, servo);
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
     }
     return e.answered() ? exit_done : exit_undecided;
@@ -114,7 +137,7 @@ int evaluate(const EvaluateOptions& options, const Invocation& invocation)
 
 void add_evaluate(CLI::App& app, Invocation& invocation)
 {
-    auto options = std::make_shared<EvaluateOptions>();
+    auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
         "evaluate", "Answer for one joint: both linear theories, critical gains, spectrum, nonlinear outcome");
     verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();

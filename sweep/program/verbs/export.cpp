@@ -9,6 +9,7 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/study/export/gap_left.h"
 #include "sweep/words/export_text.h"
 #include "sweep/words/refusal_text.h"
@@ -89,7 +90,7 @@ void add_export(CLI::App& app, Invocation& invocation)
     verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
     std::vector<std::string> names;
     for (const auto& s : simulators) names.emplace_back(s.name);
-    verb->add_option("--to", options->to, "which simulator")->required()->check(CLI::IsMember(names));
+    verb->add_option("--to", options->to, "which simulator")->required()->check(one_of(names));
     verb->add_option("--set", options->settings, "set a parameter first: path=value");
     verb->add_option("--name", options->name, "name of the joint in the text")->capture_default_str();
     verb->add_option("--timestep", options->timestep,

@@ -24,8 +24,9 @@ int figures(const Options& options)
 {
     const std::filesystem::path directory = options.directory;
     std::filesystem::create_directories(directory / "models");
-    const auto page = write_report(figures_report(), directory);
-    for (const auto& model : paper_models()) {
+    const auto answer = paper_answer();
+    const auto page = write_report(figures_report(answer), directory);
+    for (const auto& model : answer.models) {
         const auto drawn = directory / "charts" / (model.id + ".svg");
         if (std::filesystem::exists(drawn))
             std::filesystem::copy_file(drawn, directory / "models" / drawn.filename(),
@@ -34,7 +35,7 @@ int figures(const Options& options)
 
     bool met = true;
     auto numbers = nlohmann::ordered_json::array();
-    for (const auto& n : paper_numbers()) {
+    for (const auto& n : answer.numbers) {
         const double difference = std::abs(n.computed / n.printed - 1);
         met = met && difference < figure_tolerance;
         numbers.push_back({{"equation", n.equation},

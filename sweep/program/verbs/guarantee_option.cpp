@@ -19,7 +19,7 @@ namespace {
 constexpr double confidence = 0.95;
 
 /// What a calibration lacks for this joint.
-std::vector<std::string> missing(const Guarantee& g, const Joint& joint, const std::vector<Record>& records)
+std::vector<std::string> what_is_missing(const Guarantee& g, const Joint& joint, const std::vector<Record>& records)
 {
     std::vector<std::string> why;
     if (g.calibration.method != method_hash())
@@ -76,7 +76,7 @@ std::optional<Guarantee> guarantee_for(const GuaranteeOption& option, const Join
     Guarantee g;
     g.calibration = read_calibrations(option.files);
     g.promise = guarantee::promise_of(g.calibration, option.coverage, confidence);
-    auto why = missing(g, joint, records);
+    auto why = what_is_missing(g, joint, records);
     if (why.empty()) return g;
     for (auto& text : why)
         text = fmt::format("--guarantee {:g}: no promise from {}: {}", option.coverage, option.files.front(), text);

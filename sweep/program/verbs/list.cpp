@@ -7,6 +7,7 @@
 #include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/study/start/starting_joint.h"
 
 #include <fmt/format.h>
@@ -209,16 +210,16 @@ void add_list(CLI::App& app, Invocation&)
     verb->add_option("WHAT", options->what,
                      "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
         ->required()
-        ->check(CLI::IsMember({"laws", "joints", "effects", "parameters", "keys"}));
+        ->check(one_of({"laws", "joints", "effects", "parameters", "keys"}));
     verb->add_option("--joint", options->joint, "list the parameters or keys of this joint file");
     std::vector<std::string> law_names, model_names;
     for (const auto& law : laws()) law_names.emplace_back(law.name);
     for (const auto& model : models) model_names.emplace_back(model.name);
     verb->add_option("--law", options->law, "without a file: list those of a joint with this law")
-        ->check(CLI::IsMember(law_names))
+        ->check(one_of(law_names))
         ->capture_default_str();
     verb->add_option("--model", options->model, "without a file: list the keys of this model")
-        ->check(CLI::IsMember(model_names))
+        ->check(one_of(model_names))
         ->capture_default_str();
     verb->add_flag("--json", options->json, "machine-readable, stable names");
     verb->add_flag("--markdown", options->markdown, "with keys: every key of every file, and the columns, as a page");

@@ -12,6 +12,7 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/margins_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/robust_set.h"
@@ -108,7 +109,7 @@ void add_margins(CLI::App& app, Invocation& invocation)
     verb->add_option("--uncertain", options->uncertain,
                      "uncertainty of parameters: PATH=20%, 'friction.B - friction.A=10%'");
     verb->add_option("--shape", options->shape, "shape of the uncertainty: box, or an ellipsoid within it")
-        ->check(CLI::IsMember({"box", "ellipsoid"}))
+        ->check(one_of({"box", "ellipsoid"}))
         ->capture_default_str();
     verb->add_option("--over", options->over,
                      "two axes over which the robustly stable set is followed: PATH or PATH=FROM..TO")

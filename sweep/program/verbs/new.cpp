@@ -7,6 +7,7 @@
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/word_option.h"
 #include "sweep/study/start/starting_joint.h"
 
 #include <fmt/format.h>
@@ -67,17 +68,13 @@ void add_new(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand("new", "Write a commented joint or sweep file that runs, to fill in");
-    verb->add_option("WHAT", options->what, "joint | spec")->required()->check(CLI::IsMember({"joint", "spec"}));
-    verb->add_option("--model", options->model, "lumped model")
-        ->check(CLI::IsMember(names_of(models)))
-        ->capture_default_str();
+    verb->add_option("WHAT", options->what, "joint | spec")->required()->check(one_of({"joint", "spec"}));
+    verb->add_option("--model", options->model, "lumped model")->check(one_of(names_of(models)))->capture_default_str();
     std::vector<std::string> names;
     for (const auto& law : laws()) names.emplace_back(law.name);
-    verb->add_option("--law", options->law, "friction law, on every body")
-        ->check(CLI::IsMember(names))
-        ->capture_default_str();
+    verb->add_option("--law", options->law, "friction law, on every body")->check(one_of(names))->capture_default_str();
     verb->add_option("--motion", options->motion, "what the joint does")
-        ->check(CLI::IsMember(names_of(motions)))
+        ->check(one_of(names_of(motions)))
         ->capture_default_str();
     verb->add_option("--from", options->from, "start from this joint or spec instead of an example");
     verb->add_option("--set", options->settings, "set a number or word: path=value");

@@ -53,7 +53,7 @@ SimulatedSurroundings surround(const Joint& joint, const SurroundingsOption& ask
     simulation.duration = asked.force.duration;
     const bool slides = steady_sliding(joint).reason == Reason::none;
     if (!asked.force.kind.empty() && slides) {
-        shown.linear = disturbed_motion(joint, asked.force);
+        shown.linear = disturbed_motion(joint, asked.force_on(joint));
         simulation.force = shown.linear->force;
         const double shown_for = simulation.force.step * static_cast<double>(simulation.force.value.size());
         if (!is_set(simulation.duration)) simulation.duration = shown_for;

@@ -3,7 +3,8 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/series_file.h"
 #include "sweep/program/verbs/disturbance_option.h"
-#include "sweep/report/figures/disturbance_figure.h"
+#include "sweep/program/verbs/word_option.h"
+#include "sweep/study/disturbed_motion.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,7 +21,7 @@ struct SurroundingsOption {
     {
         verb.add_option("--force", force.kind,
                         "disturbing force d(t) on the link: impulse | step | sine | noise | a file with time and force")
-            ->check(CLI::IsMember({"impulse", "step", "sine", "noise"}) | CLI::ExistingFile);
+            ->check(one_of_or_file({"impulse", "step", "sine", "noise"}));
         verb.add_option("--force-size", force.size, "N·s of an impulse, N of others, a factor on a file")
             ->check(finite_number())
             ->capture_default_str();
@@ -39,6 +40,15 @@ struct SurroundingsOption {
     {
         verb.add_option("--duration", force.duration, std::string("s; default: ") + by_default)
             ->check(positive_number());
+    }
+
+    /// The force, with its record where it is a file. Throws BadInput for a file that cannot be read.
+    AskedDisturbance force_on(const Joint& joint) const
+    {
+        AskedDisturbance asked = force;
+        if (is_force_file(asked))
+            asked.record = read_series(asked.kind, "force", SeriesQuantity{Quantity::effort, units_of(joint)});
+        return asked;
     }
 
     bool loaded() const { return !load_file.empty(); }

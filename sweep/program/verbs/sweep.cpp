@@ -20,7 +20,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/stability_report.h"
 #include "sweep/report/write_report.h"
-#include "sweep/study/evaluate.h"
+#include "sweep/study/evaluate_points.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -135,20 +135,16 @@ Section much_section(const Diagnosis& d)
     return much;
 }
 
-Section boundary_section(const Diagnosis& d, const Joint& before, const Joint& after)
+Section boundary_section(const Diagnosis& d, const MovedBoundary& moved, Units units)
 {
-    const bool given = is_set(before.control.V0);
-    constexpr double slow_part = 0.1;  // where stick-slip is to be feared
-    auto moved = moved_boundary(before, after, given ? before.control.V0 : slow_part * d.usual_speed,
-                                "with " + together(d.effects[0].names));
-    return moved_section(std::move(moved),
+    return moved_section(moved, units, "with " + together(d.effects[0].names),
                          " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
                          "terms that depend on position or time are not in this theory.");
 }
 
 }  // namespace
 
-Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after,
+Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after, const MovedBoundary& moved,
                         std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets,
                         bool rig)
 {
@@ -189,7 +185,7 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
     if (!d.effects.empty()) r.sections.push_back(what_section(d));
     r.sections.push_back(much_section(d));
     r.sections.push_back(next_section(d));
-    if (d.verdict == Verdict::gap && !rig) r.sections.push_back(boundary_section(d, before, after));
+    if (d.verdict == Verdict::gap && !rig) r.sections.push_back(boundary_section(d, moved, units_of(before)));
     r.sections.push_back({"data",
                           "Data",
                           "diagnosis.json beside this page has every number of this page under stable names.",

@@ -37,15 +37,9 @@ std::vector<Headline> headlines(const OutcomeAnswer& a)
     return list;
 }
 
-Section boundary_section(const OutcomeAnswer& a, const Joint& nominal)
-{
-    return moved_section(
-        moved_boundary(nominal, a.after, a.diagnosis.usual_speed, "with " + std::string(a.laws.front().rival->law)));
-}
-
 }  // namespace
 
-Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joint& nominal,
+Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joint& nominal, const MovedBoundary& moved,
                       std::vector<std::pair<std::string, std::string>> provenance)
 {
     const auto& d = a.diagnosis;
@@ -88,7 +82,8 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
                  {},
                  {}};
     r.sections.insert(r.sections.end(), {std::move(what), std::move(where), std::move(next)});
-    if (d.verdict == Verdict::gap) r.sections.push_back(boundary_section(a, nominal));
+    if (d.verdict == Verdict::gap)
+        r.sections.push_back(moved_section(moved, units_of(nominal), "with " + std::string(a.laws.front().rival->law)));
     r.sections.push_back({"rows", "Data", "", {}, {rows_table(a)}});
     return r;
 }

@@ -2,11 +2,12 @@
 #pragma once
 #include "analysis/results/report.h"
 #include "sweep/study/outcome_answer.h"
+#include "sweep/study/stable_windows.h"
 
 namespace stickslip {
 
-/// `maps` are those of the answer; none where it has no laws.
+/// `maps` are those of the answer, and `moved` the boundary by its best law; none where it has no laws.
 Report outcome_report(const gap::OutcomeAnswer& answer, const OutcomeMaps& maps, const Joint& nominal,
-                      std::vector<std::pair<std::string, std::string>> provenance);
+                      const MovedBoundary& moved, std::vector<std::pair<std::string, std::string>> provenance);
 
 }  // namespace stickslip

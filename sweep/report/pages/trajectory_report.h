@@ -4,7 +4,7 @@
 #include "analysis/results/nonlinear_verdict.h"
 #include "analysis/results/report.h"
 #include "analysis/results/trajectory.h"
-#include "sweep/report/figures/disturbance_figure.h"
+#include "sweep/study/disturbed_motion.h"
 
 #include <optional>
 

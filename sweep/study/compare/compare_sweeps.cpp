@@ -2,7 +2,7 @@
 
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/simulation/attractor/nonlinear.h"
-#include "sweep/study/evaluate.h"
+#include "sweep/study/evaluate_points.h"
 #include "sweep/study/map_answer.h"
 
 #include <algorithm>

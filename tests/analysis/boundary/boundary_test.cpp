@@ -245,19 +245,19 @@ TEST_CASE("a falling curve that fades away with velocity is no boundary", "[boun
 {
     // its slope at 14 c3 is 1e-82 of the greatest: neither sign of the growth means anything
     Joint joint = example_joint(6e4, 0, 1e-3);
-    for (const bool late : {false, true}) {
+    for (const bool delayed : {false, true}) {
         const Stribeck curve{10, 0, 0.1, 1e-3, 2};
         joint.friction.law = curve;
         TimeLag lag;
         lag.lag = 5e-3;
         lag.curve.law = curve;
-        if (late) joint.friction.law = lag;
+        if (delayed) joint.friction.law = lag;
         const auto ray = locate_boundaries(joint, axis("control.V0", 1e-3, 1), of(BoundaryKind::velocity_only));
         CHECK(ray.points.empty());
         CHECK(ray.neutral_share > 0.1);
         CHECK(ray.stable_share == 0);
         // where the lag turns feeding into damping (k_p τ² = 5, beyond a quarter turn), that fades, too
-        joint.control.k_p = late ? 2e5 : 6e4;
+        joint.control.k_p = delayed ? 2e5 : 6e4;
         CHECK(locate_boundaries(joint, axis("control.V0", 1e-3, 1), of(BoundaryKind::state_variable)).points.empty());
     }
 }

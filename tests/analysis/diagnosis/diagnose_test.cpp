@@ -188,8 +188,8 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
         };
         return test::answer(nominal_joint(), records_of(m), run, options).diagnosis;
     };
-    const Diagnosis early = until(DiagnosisStage::fitting_singles), late = until(DiagnosisStage::predicting_unseen);
-    for (const auto* d : {&early, &late}) {
+    const Diagnosis early = until(DiagnosisStage::fitting_singles), delayed = until(DiagnosisStage::predicting_unseen);
+    for (const auto* d : {&early, &delayed}) {
         CHECK(d->interrupted);
         CHECK(d->verdict == Verdict::unknown);
         CHECK_FALSE(d->signals.empty());
@@ -199,11 +199,11 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
     CHECK(early.reasons[0].code == Note::Code::interrupted_located);
     CHECK(early.reasons[0].names.front() == "fitting-singles");
     CHECK(early.reasons[0].names.back() == "predicting-unseen");
-    REQUIRE_FALSE(late.effects.empty());
-    CHECK(late.effects[0].names == std::vector<std::string>{"coulomb-level"});
-    CHECK(late.effects[0].probability <= 0.1);
-    CHECK(late.reasons[0].code == Note::Code::interrupted_located);
-    CHECK(late.reasons[0].names == std::vector<std::string>{"predicting-unseen"});
+    REQUIRE_FALSE(delayed.effects.empty());
+    CHECK(delayed.effects[0].names == std::vector<std::string>{"coulomb-level"});
+    CHECK(delayed.effects[0].probability <= 0.1);
+    CHECK(delayed.reasons[0].code == Note::Code::interrupted_located);
+    CHECK(delayed.reasons[0].names == std::vector<std::string>{"predicting-unseen"});
 }
 
 TEST_CASE("a wrong filter of the controller is the cause, and not the few per cent of the document beside it",

@@ -72,10 +72,10 @@ TEST_CASE("a nominal simulation that is unstable at its rate is no noise floor",
 {
     test::Machine m;
     std::vector<Note> notes;
-    Joint late = test::nominal_joint();
-    late.control.delay = 0.03;  // 45 N·s/m on 1.2 kg forgets in 27 ms: the loop swings up to its limit
-    late.control.effort_limit = 40;
-    const std::vector<Case> cases{prepare(test::record_of(m, 1), late, notes)};
+    Joint delayed = test::nominal_joint();
+    delayed.control.delay = 0.03;  // 45 N·s/m on 1.2 kg forgets in 27 ms: the loop swings up to its limit
+    delayed.control.effort_limit = 40;
+    const std::vector<Case> cases{prepare(test::record_of(m, 1), delayed, notes)};
     CHECK_FALSE(closed_loop_at_floor(cases, {}, {}, [](std::size_t n, const auto& task) {
         for (std::size_t i = 0; i < n; ++i) task(i);
     }));

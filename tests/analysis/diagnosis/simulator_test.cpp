@@ -63,10 +63,10 @@ TEST_CASE("a law that no record is fitted with is refused by a code and its numb
     CHECK(in_turn.level == Approx(0.4));
     CHECK(in_turn.stiffness == 120);
     CHECK(in_turn.viscous == 0.15);
-    TimeLag late;
-    late.lag = 0.004;
-    CHECK(refused(late).why == NotFitted::Why::pure_delay);
-    CHECK(refused(late).lag == 0.004);
+    TimeLag delayed;
+    delayed.lag = 0.004;
+    CHECK(refused(delayed).why == NotFitted::Why::pure_delay);
+    CHECK(refused(delayed).lag == 0.004);
 }
 
 TEST_CASE("a pushed mass under Coulomb friction follows the parabolas of constant force, stops and stays", "[gap]")

@@ -85,9 +85,9 @@ TEST_CASE("every reduction says what it neglects", "[joint]")
     auto& law = std::get<RateAndState>(three.frictions.transmission.law);
     while (law.B.size < max_states) law.B.push_back(0.1), law.L.push_back(1e-4);
     CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_joint), std::invalid_argument);
-    TimeLag late;
-    late.lag = 1e-3;
-    three.frictions.transmission.law = three.frictions.motor.law = late;
+    TimeLag delayed;
+    delayed.lag = 1e-3;
+    three.frictions.transmission.law = three.frictions.motor.law = delayed;
     CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_motor), std::invalid_argument);
 }
 

@@ -34,7 +34,7 @@ Joint rewired(Joint joint)
     return joint;
 }
 
-Joint late_loop(bool sampled)
+Joint delayed_loop(bool sampled)
 {
     Joint joint = example_joint(80e3, 10, 1e-3);
     joint.control.delay = 2e-4;
@@ -83,7 +83,7 @@ TEST_CASE("A load that pulls a motor along asks for no more voltage than it take
 TEST_CASE("A motor wired the other way has the windows of its gains on the other side of zero", "[loop]")
 {
     for (const bool sampled : {true, false}) {
-        const Joint joint = late_loop(sampled), other = rewired(joint);
+        const Joint joint = delayed_loop(sampled), other = rewired(joint);
         const auto own = linear_verdict(joint), mirrored = linear_verdict(other);
         INFO("sampled " << sampled);
         CHECK(mirrored.state_variable.stable);

@@ -1,4 +1,4 @@
-// Friction that answers late: the windows of stable gains and the growth between them, by simulation.
+// Delayed friction: the windows of stable gains and the growth between them, by simulation.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -13,7 +13,7 @@ using namespace stickslip;
 namespace {
 
 /// A curve of slope −100 N·s/m at V_0 = 1 mm/s under 1 kg, 5 ms late.
-Joint late_joint(double k_p, double k_v)
+Joint delayed_joint(double k_p, double k_v)
 {
     Joint joint = stribeck_joint(k_p, k_v, 1e-3);
     Stribeck curve;
@@ -78,7 +78,7 @@ TEST_CASE("time lag: windows of stable gains, by the method of steps", "[nonline
     NonlinearOptions options;
     options.region = false;
     const auto outcome = [&](double k_p, double k_v) {
-        return nonlinear_verdict(late_joint(k_p, k_v), options).outcome;
+        return nonlinear_verdict(delayed_joint(k_p, k_v), options).outcome;
     };
     CHECK(outcome(0.95 * 130112, 0) != Outcome::stable_sliding);
     CHECK(outcome(1.05 * 130112, 0) == Outcome::stable_sliding);
@@ -94,13 +94,13 @@ TEST_CASE("time lag: the measured growth solves the characteristic equation", "[
     for (const double k_p : {5e4, 2e5, 9e5}) {
         std::complex<double> s(0, std::sqrt(k_p));
         for (int i = 0; i < 50; ++i) {
-            const auto late = 100.0 * std::exp(-s * 5e-3);
-            s -= (s * s - late * s + k_p) / (2.0 * s - late + 5e-3 * late * s);
+            const auto delayed = 100.0 * std::exp(-s * 5e-3);
+            s -= (s * s - delayed * s + k_p) / (2.0 * s - delayed + 5e-3 * delayed * s);
         }
         NonlinearOptions options;
         options.region = false;
         CAPTURE(k_p, s.imag());
-        CHECK(nonlinear_verdict(late_joint(k_p, 0), options).growth_rate == Approx(s.real()).epsilon(1e-5));
+        CHECK(nonlinear_verdict(delayed_joint(k_p, 0), options).growth_rate == Approx(s.real()).epsilon(1e-5));
     }
 }
 

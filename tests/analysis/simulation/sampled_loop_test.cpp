@@ -55,13 +55,13 @@ double amplitude_by_runge_kutta(double k_p, int dead_ticks, double seconds)
         return State(y[1] - V0, u - (60 + log + y[2]), -y[1] / 1e-5 * (y[2] + 1.5 * log));
     };
     State y(-60 / k_p, 1.2e-3, 0);
-    std::deque<double> late(static_cast<std::size_t>(dead_ticks), 60.0);
+    std::deque<double> delayed(static_cast<std::size_t>(dead_ticks), 60.0);
     double before = y[0], low = 1, high = -1;
     for (int k = 0; k < static_cast<int>(seconds / T); ++k) {
-        late.push_back(-k_p * y[0] - 10 * (y[0] - before) / T);
+        delayed.push_back(-k_p * y[0] - 10 * (y[0] - before) / T);
         before = y[0];
-        u = late.front();
-        late.pop_front();
+        u = delayed.front();
+        delayed.pop_front();
         for (int i = 0; i < 100; ++i) {
             const double h = T / 100;
             const State a = rate(y), b = rate(y + h / 2 * a), c = rate(y + h / 2 * b), d = rate(y + h * c);
@@ -76,14 +76,14 @@ double amplitude_by_runge_kutta(double k_p, int dead_ticks, double seconds)
 
 TEST_CASE("sampled loop: the reference design is stick-slip at 1 kHz with one tick of dead time", "[sampled]")
 {
-    const auto late = nonlinear_verdict(ticked_joint(60e3, 1e-3), {});
-    CHECK(late.outcome == Outcome::limit_cycle);
-    CHECK(late.region == NonlinearRegion::stick_slip);
-    CHECK(late.path == DecisionPath::ticks);
-    CHECK(late.amplitude == Approx(18.1688e-6).epsilon(2e-5));
-    CHECK(late.period == Approx(96.615e-3).epsilon(1e-5));
-    CHECK(std::log(late.velocity_min / 1e-3) == Approx(-1.13878).margin(2e-5));
-    CHECK(std::log(late.velocity_max / 1e-3) == Approx(1.27205).margin(2e-5));
+    const auto delayed = nonlinear_verdict(ticked_joint(60e3, 1e-3), {});
+    CHECK(delayed.outcome == Outcome::limit_cycle);
+    CHECK(delayed.region == NonlinearRegion::stick_slip);
+    CHECK(delayed.path == DecisionPath::ticks);
+    CHECK(delayed.amplitude == Approx(18.1688e-6).epsilon(2e-5));
+    CHECK(delayed.period == Approx(96.615e-3).epsilon(1e-5));
+    CHECK(std::log(delayed.velocity_min / 1e-3) == Approx(-1.13878).margin(2e-5));
+    CHECK(std::log(delayed.velocity_max / 1e-3) == Approx(1.27205).margin(2e-5));
     const auto prompt = nonlinear_verdict(ticked_joint(50e3), {});
     CHECK(prompt.amplitude == Approx(22.1829e-6).epsilon(1e-5));
     CHECK(prompt.period == Approx(109.448e-3).epsilon(1e-5));

@@ -145,12 +145,12 @@ TEST_CASE("critical gain grows with the normal load as with A and B", "[stabilit
         CHECK(linear_verdict(loaded).state_variable.k_cr == Approx(k_cr).epsilon(1e-10));
         CHECK(steady_sliding(loaded).friction == Approx(n * 60));
     }
-    Joint late = lagged_joint(), heavy = late;
+    Joint delayed = lagged_joint(), heavy = delayed;
     auto& curve = std::get<Stribeck>(std::get<TimeLag>(heavy.friction.law).curve.law);
     curve.c0 *= 2, curve.c1 *= 2, curve.c2 *= 2;
-    late.friction.normal_load = 2;
-    late.control.k_v = heavy.control.k_v = 3000;
-    const auto a = linear_verdict(late).state_variable, b = linear_verdict(heavy).state_variable;
+    delayed.friction.normal_load = 2;
+    delayed.control.k_v = heavy.control.k_v = 3000;
+    const auto a = linear_verdict(delayed).state_variable, b = linear_verdict(heavy).state_variable;
     REQUIRE(a.crossings.size() == b.crossings.size());
     CHECK(a.spectral_abscissa == Approx(b.spectral_abscissa).epsilon(1e-9));
 }

@@ -24,30 +24,30 @@ Joint changed(Joint joint, Change&& change)
 /// One of each thing that a loop can have.
 std::vector<Joint> all_kinds()
 {
-    const Joint plain = ticked_joint(50e3), late = ticked_joint(60e3, 1e-3);
+    const Joint plain = ticked_joint(50e3), delayed = ticked_joint(60e3, 1e-3);
     return {
         plain,
-        late,
+        delayed,
         ticked_joint(90e3, 1e-3),
         ticked_joint(60e3, 0.4e-3),
         ticked_joint(50e3, 2.7e-3),
-        changed(late, [](Joint& j) { j.actuator.lag = 2e-3; }),
-        changed(late, [](Joint& j) { j.control.velocity_estimate.tau = 3e-3; }),
-        changed(late, [](Joint& j) { j.control.velocity_estimate.average = 4; }),
-        changed(late, [](Joint& j) { j.control.velocity_estimate.form = EstimateForm::exact; }),
-        changed(late, [](Joint& j) { j.control.k_i = 1e5; }),
-        changed(late, [](Joint& j) { j.control.effort_limit = 60.3; }),
-        changed(late, [](Joint& j) { j.control.reference_velocity = false; }),
-        changed(late, [](Joint& j) { j.load.constant = -5; }),
-        changed(late, [](Joint& j) { j.friction.normal_load = 0.7; }),
+        changed(delayed, [](Joint& j) { j.actuator.lag = 2e-3; }),
+        changed(delayed, [](Joint& j) { j.control.velocity_estimate.tau = 3e-3; }),
+        changed(delayed, [](Joint& j) { j.control.velocity_estimate.average = 4; }),
+        changed(delayed, [](Joint& j) { j.control.velocity_estimate.form = EstimateForm::exact; }),
+        changed(delayed, [](Joint& j) { j.control.k_i = 1e5; }),
+        changed(delayed, [](Joint& j) { j.control.effort_limit = 60.3; }),
+        changed(delayed, [](Joint& j) { j.control.reference_velocity = false; }),
+        changed(delayed, [](Joint& j) { j.load.constant = -5; }),
+        changed(delayed, [](Joint& j) { j.friction.normal_load = 0.7; }),
         changed(ticked_joint(10e3),
                 [](Joint& j) {
                     j.actuator.kind = ActuatorKind::dc_motor, j.actuator.signal = DriveSignal::voltage;
                     j.actuator.resistance = 2, j.actuator.k_t = 5, j.actuator.k_e = 5;
                 }),
         changed(ticked_joint(50e3, 1e-3), [](Joint& j) { j.control.period = not_set; }),
-        with_ageing(late),
-        with_ageing(changed(late, [](Joint& j) { j.actuator.lag = 2e-3; })),
+        with_ageing(delayed),
+        with_ageing(changed(delayed, [](Joint& j) { j.actuator.lag = 2e-3; })),
     };
 }
 

@@ -145,10 +145,10 @@ TEST_CASE("each reduction holds where its assumption does", "[stability]")
     CHECK(studies[1].good_from == Approx(5e6).epsilon(0.35));
     // frictions without a single law act side by side on one body; two that remember by delays have no room there
     auto three = samples::nine_states();
-    TimeLag late;
-    late.lag = 1e-3;
-    late.curve.law = CoulombViscous{1, 0};
-    three.frictions.transmission.law = three.frictions.motor.law = late;
+    TimeLag delayed;
+    delayed.lag = 1e-3;
+    delayed.curve.law = CoulombViscous{1, 0};
+    three.frictions.transmission.law = three.frictions.motor.law = delayed;
     CHECK_THROWS_AS(three_mass_to_two_mass(three, Placement::at_motor), std::invalid_argument);
     StudyOptions coarse;
     coarse.values = 3;
@@ -198,10 +198,10 @@ TEST_CASE("a boundary far from the joint's own gain is found and compared", "[st
 TEST_CASE("a reduction that does not apply is named by its steps", "[stability]")
 {
     auto joint = samples::nine_states();
-    TimeLag late;
-    late.lag = 1e-3;
-    late.curve.law = CoulombViscous{1, 0};
-    joint.frictions.transmission.law = joint.frictions.motor.law = late;
+    TimeLag delayed;
+    delayed.lag = 1e-3;
+    delayed.curve.law = CoulombViscous{1, 0};
+    joint.frictions.transmission.law = joint.frictions.motor.law = delayed;
     StudyOptions coarse;
     coarse.values = 2;
     const auto refused = [](const ReductionStudy& s) { return !s.refused.empty(); };

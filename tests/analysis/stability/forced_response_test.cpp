@@ -71,12 +71,12 @@ TEST_CASE("noise has its standard deviation and is the same for the same seed", 
     CHECK_THROWS_AS(sampled_force(ForceKind::step, 1, 1, 0), std::invalid_argument);
 }
 
-TEST_CASE("friction that answers late is answered by the method of steps", "[stability]")
+TEST_CASE("delayed friction is answered by the method of steps", "[stability]")
 {
     // before the first delay is over nothing has come back: the oscillator alone
-    LinearJoint late = oscillator();
-    late.friction[0].delays.push_back({100, 0.0503});
-    const auto impulse = forced_response(late, sampled_force(ForceKind::impulse, 3, 0.1, 0.01));
+    LinearJoint delayed = oscillator();
+    delayed.friction[0].delays.push_back({100, 0.0503});
+    const auto impulse = forced_response(delayed, sampled_force(ForceKind::impulse, 3, 0.1, 0.01));
     const auto alone = [](double t) { return 1.5 / damped * std::exp(-decay * t) * std::sin(damped * t); };
     for (int i = 0; i <= 5; ++i) CHECK(impulse.position[i] == Approx(alone(0.01 * i)).margin(1e-14));
     // between one delay and two the impulse response h is convolved with itself once: x = h + w ∫ h'(s) h(t − τ − s) m
@@ -114,16 +114,16 @@ TEST_CASE("a table sampled from an exponential moves the joint as the state does
 
 TEST_CASE("late friction answers a lasting sine with |X/D|(iω)", "[stability]")
 {
-    LinearJoint late = oscillator();
-    late.k_v = 30;
-    late.friction[0].delays.push_back({20, 5e-3});
+    LinearJoint delayed = oscillator();
+    delayed.k_v = 30;
+    delayed.friction[0].delays.push_back({20, 5e-3});
     KernelTable g;
     g.time = {0, 4e-3, 9e-3, 2e-2}, g.value = {300, 500, -200, 100};  // changes sign, ends with a jump
-    late.friction[0].table = std::make_shared<KernelTable>(g);
+    delayed.friction[0].table = std::make_shared<KernelTable>(g);
     const double omega = 40;
-    const auto answer = forced_response(late, sampled_force(ForceKind::sine, 1, 10, 1e-3, omega));
+    const auto answer = forced_response(delayed, sampled_force(ForceKind::sine, 1, 10, 1e-3, omega));
     double largest = 0;
     for (std::size_t i = answer.time.size() * 3 / 4; i < answer.time.size(); ++i)
         largest = std::max(largest, std::abs(answer.position[i]));
-    CHECK(largest == Approx(std::abs(disturbance_response(late, {0, omega}))).epsilon(2e-4));
+    CHECK(largest == Approx(std::abs(disturbance_response(delayed, {0, omega}))).epsilon(2e-4));
 }

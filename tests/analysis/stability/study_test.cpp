@@ -31,7 +31,7 @@ TEST_CASE("the nonlinear outcome of every kernel is that there is none", "[stabi
     }
 }
 
-TEST_CASE("a flat curve that answers late remembers nothing", "[stability]")
+TEST_CASE("a flat curve that is delayed remembers nothing", "[stability]")
 {
     Friction flat;
     flat.law = samples::time_lag(KineticStatic{10, 13});

@@ -15,7 +15,7 @@ nlohmann::ordered_json study_at(double k_p, double k_v)
     Joint joint = paper_joint();
     joint.control.k_p = k_p;
     joint.control.k_v = k_v;
-    return study_json(joint, linear_study(joint));
+    return study_json(linear_study(joint), coarse_root_locus(joint));
 }
 
 std::string reason(const nlohmann::ordered_json& part)

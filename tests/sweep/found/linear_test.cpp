@@ -108,11 +108,11 @@ TEST_CASE("W3: verdict and stable gains never contradict each other")
     REQUIRE(verdict.stable_intervals.size() == 1);
     check_gains(joint, 1e2, 1e7);
 
-    const auto late = found("w3-553");
-    const auto other = linear_verdict(late).state_variable;
+    const auto delayed = found("w3-553");
+    const auto other = linear_verdict(delayed).state_variable;
     CHECK(other.stable);
-    CHECK(holds(other.stable_intervals, late.control.k_p));
-    check_gains(late, 1e4, 1e8);
+    CHECK(holds(other.stable_intervals, delayed.control.k_p));
+    check_gains(delayed, 1e4, 1e8);
 }
 
 TEST_CASE("W4: stiff springs beside a delay have a verdict")

@@ -57,6 +57,27 @@ Diagnosis named()
     return d;
 }
 
+Report page_of(const Diagnosis& d, const Joint& before, const Joint& after)
+{
+    const auto moved = moved_boundary(before, after, reported_velocity(before, d.usual_speed));
+    return diagnosis_report(d, before, after, moved, {});
+}
+
+nlohmann::ordered_json json_of(const Diagnosis& d, const Joint& before, const Joint& after)
+{
+    return diagnosis_json(d, {own_windows(before, d.usual_speed), own_windows(after, d.usual_speed)});
+}
+
+nlohmann::ordered_json windows_at(const Joint& joint, double velocity)
+{
+    return windows_json(own_windows(joint, velocity));
+}
+
+Section moved(const Joint& before, const Joint& after, double velocity, const std::string& with)
+{
+    return moved_section(moved_boundary(before, after, velocity), units_of(before), with);
+}
+
 }  // namespace
 
 TEST_CASE("causes that the records cannot distinguish are all named in the first sentence", "[report]")
@@ -84,7 +105,7 @@ TEST_CASE("the first sentence is as sure as the cause", "[report][gap]")
     d.effects[0].probability = 0.49, d.effects[1].probability = 0.03, d.effects[1].names = {"stribeck"};
     CHECK_THAT(diagnosis_sentence(d), Contains("The likeliest cause of the gap is frictional-memory (49 %; that it is "
                                                "none of those listed: 48 %): on"));
-    const auto page = [&] { return diagnosis_report(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {}); };
+    const auto page = [&] { return page_of(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))); };
     CHECK(page().verdict == "Likeliest, not certain (49 %): Friction remembers how it slid before.");
     CHECK_THAT(page().headlines[2].meaning, Contains("none of those listed has 48 %"));
     // what two causes that nothing distinguishes have together counts
@@ -97,18 +118,18 @@ TEST_CASE("the probabilities of an answer make one, with that of none of its cau
     Diagnosis d = named();
     d.effects.push_back(d.effects[0]);
     d.effects[0].probability = 0.49, d.effects[1].probability = 0.03;
-    const auto json = diagnosis_json(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)));
+    const auto json = json_of(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)));
     double sum = json.at("none_of_these");
     for (const auto& effect : json.at("effects")) sum += effect.at("probability").get<double>();
     CHECK(sum == Approx(1));
     CHECK(causes_table(d).rows.back()[1] == "0.480");
     d.effects.clear(), d.verdict = Verdict::no_gap;
-    CHECK(diagnosis_json(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))).at("none_of_these").is_null());
+    CHECK(json_of(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))).at("none_of_these").is_null());
 }
 
 TEST_CASE("the first screen of a diagnosis says where, what, how much and how sure", "[report]")
 {
-    const auto r = diagnosis_report(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {});
+    const auto r = page_of(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)));
     REQUIRE(r.headlines.size() == 4);
     const char* questions[] = {"what:", "how much:", "how sure:", "where:"};
     for (std::size_t i = 0; i < 4; ++i) CHECK(r.headlines[i].meaning.starts_with(questions[i]));
@@ -138,7 +159,7 @@ TEST_CASE("the share that a cause explains is that of its own rungs", "[report]"
     d.corrected_share = 0.15;                                  // by numbers of the document
     d.remainder.share = 0.05;
     const auto shown = [](const Diagnosis& it) {
-        return diagnosis_report(it, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), {}).headlines[1].value;
+        return page_of(it, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))).headlines[1].value;
     };
     CHECK(shown(d) == "60 %");
     d.effects[0].names = {"frictional-memory", "gravity"};
@@ -174,29 +195,28 @@ TEST_CASE("a diagnosis whose cause makes held-out data worse is not written", "[
 {
     Diagnosis d = named();
     const Joint j = joint_with(slip_law(1e-5));
-    CHECK_NOTHROW(diagnosis_json(d, j, j));
+    CHECK_NOTHROW(json_of(d, j, j));
     d.overall.after = 5.1;
-    CHECK_THROWS_AS(diagnosis_json(d, j, j), std::logic_error);
+    CHECK_THROWS_AS(json_of(d, j, j), std::logic_error);
     d.verdict = Verdict::unknown;
-    CHECK_NOTHROW(diagnosis_json(d, j, j));
+    CHECK_NOTHROW(json_of(d, j, j));
 }
 
 TEST_CASE("the page shows that the stable gains move with the length of the memory", "[report]")
 {
     // k_cr of the quasi-static slip law is (B − A)/L
-    const auto moved =
-        moved_boundary(joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), 1e-6, "with frictional-memory");
-    CHECK_THAT(moved.sentence, Contains("above 50 kN/m in the nominal joint and above 25 kN/m with"));
-    REQUIRE(moved.figures.size() == 1);
-    CHECK(std::get<LineChart>(moved.figures[0].picture).lines.size() == 2);
+    const auto section = moved(joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)), 1e-6, "with frictional-memory");
+    CHECK_THAT(section.text, Contains("above 50 kN/m in the nominal joint and above 25 kN/m with"));
+    REQUIRE(section.figures.size() == 1);
+    CHECK(std::get<LineChart>(section.figures[0].picture).lines.size() == 2);
 }
 
 TEST_CASE("the page shows both ends of the window that ticks leave, in the gains of a geared motor", "[report]")
 {
     Joint plain = joint_with(slip_law(1e-5));
     plain.control.period = 1e-3;
-    const auto sampled = moved_boundary(plain, joint_with(slip_law(1e-5)), 1e-3, "without ticks");
-    CHECK_THAT(sampled.sentence, Contains("MN/m in the nominal joint and above"));
+    const auto sampled = moved(plain, joint_with(slip_law(1e-5)), 1e-3, "without ticks");
+    CHECK_THAT(sampled.text, Contains("MN/m in the nominal joint and above"));
     REQUIRE(sampled.figures.size() == 1);
     CHECK(std::get<LineChart>(sampled.figures[0].picture).lines.size() == 3);
 
@@ -205,9 +225,8 @@ TEST_CASE("the page shows both ends of the window that ticks leave, in the gains
     cascade.control.velocity_gain = plain.control.k_v = 40;
     cascade.control.position_gain = 500, plain.control.k_p = 40 * 500;
     cascade.control.k_p = not_set;
-    CHECK(moved_boundary(cascade, cascade, 1e-3, "as it is").sentence ==
-          moved_boundary(plain, plain, 1e-3, "as it is").sentence);
-    CHECK(boundary_json(cascade, 1e-3)["stable_k_p"].dump() == boundary_json(plain, 1e-3)["stable_k_p"].dump());
+    CHECK(moved(cascade, cascade, 1e-3, "as it is").text == moved(plain, plain, 1e-3, "as it is").text);
+    CHECK(windows_at(cascade, 1e-3)["stable_k_p"].dump() == windows_at(plain, 1e-3)["stable_k_p"].dump());
 
     Joint rigid = plain;
     rigid.mechanism.model = Model::two_mass;
@@ -221,7 +240,7 @@ TEST_CASE("the page shows both ends of the window that ticks leave, in the gains
     geared.frictions.motor.law = CoulombViscous{0.1, 0.01};
     geared.control.k_p /= 100, geared.control.k_v /= 100;
     const double unit = 100;
-    const auto at_joint = boundary_json(rigid, 1e-3), at_motor = boundary_json(geared, 1e-3);
+    const auto at_joint = windows_at(rigid, 1e-3), at_motor = windows_at(geared, 1e-3);
     REQUIRE(at_joint["stable_k_p"].size() >= 1);
     CHECK(at_motor["stable_k_p"][0][0].get<double>() * unit ==
           Approx(at_joint["stable_k_p"][0][0].get<double>()).epsilon(1e-6));
@@ -234,13 +253,13 @@ TEST_CASE("a joint for which the linear theory has no verdict is said to have no
     Joint broken = joint_with(slip_law(1e-5));
     broken.mechanism.inertia = not_set;
     for (const auto& after : {broken, joint_with(slip_law(not_set))}) {
-        const auto moved = moved_boundary(joint_with(slip_law(1e-5)), after, 1e-3, "with the cause");
-        CHECK_THAT(moved.sentence, Contains("no verdict for the joint with the cause"));
-        REQUIRE(moved.table.rows.size() == 4);
-        CHECK(moved.table.rows[0][2].starts_with("no verdict: "));
+        const auto section = moved(joint_with(slip_law(1e-5)), after, 1e-3, "with the cause");
+        CHECK_THAT(section.text, Contains("no verdict for the joint with the cause"));
+        REQUIRE(section.tables[0].rows.size() == 4);
+        CHECK(section.tables[0].rows[0][2].starts_with("no verdict: "));
     }
-    CHECK(moved_boundary(broken, broken, 0, "with the cause").table.rows.empty());
-    CHECK_NOTHROW(diagnosis_report(named(), broken, broken, {}));
+    CHECK(moved(broken, broken, 0, "with the cause").tables.empty());
+    CHECK_NOTHROW(page_of(named(), broken, broken));
 }
 
 TEST_CASE("every share of a table has its bar", "[report]")
@@ -300,7 +319,7 @@ TEST_CASE("an experiment that would tell nothing is not proposed as one", "[repo
     d.next_experiment = {TestMotion::falling_sine, {{"stribeck", "frictional-memory"}}, 0.1, {0, 1}, {0, 1}};
     const Joint j = joint_with(slip_law(1e-5));
     const auto said = [&] {
-        for (const auto& s : diagnosis_report(d, j, j, {}).sections)
+        for (const auto& s : page_of(d, j, j).sections)
             if (s.id == "next") return s;
         return Section{};
     };
@@ -318,7 +337,7 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     fine.verdict = Verdict::no_gap;
     fine.effects.clear();
     fine.reasons = {{Note::Code::within_noise}};
-    const auto page = diagnosis_report(fine, j, j, {});
+    const auto page = page_of(fine, j, j);
     CHECK(page.alerts.empty());
     CHECK(page.headlines[0].value == "nothing");
     CHECK(page.headlines.back().value == "nowhere");
@@ -328,7 +347,7 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     const std::string suspicion = "suspected degrees: position moves too far";
     foreign.reasons = {{.code = Note::Code::contradiction, .record = "a.csv", .text = suspicion}};
     foreign.notes = {{.text = suspicion}, {.text = "a column was ignored"}};
-    const auto refused = diagnosis_report(foreign, j, j, {});
+    const auto refused = page_of(foreign, j, j);
     CHECK_THAT(refused.verdict, Contains("contradict each other"));
     CHECK(refused.alerts.size() == 1);
     CHECK(refused.not_checked == std::vector<std::string>{"a column was ignored"});
@@ -348,7 +367,7 @@ TEST_CASE("numbers that the records do not pin are said to be so, others stand w
     CHECK(rows[0][1] == "166.9 (166.1 … 167.7) N·s/m");
     CHECK(rows[1][1] == "not pinned by these records");
     bool on_page = false;
-    for (const auto& section : diagnosis_report(d, j, j, {}).sections)
+    for (const auto& section : page_of(d, j, j).sections)
         for (const auto& table : section.tables) on_page |= table.rows == rows;
     CHECK(on_page);
 }

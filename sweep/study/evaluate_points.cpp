@@ -1,4 +1,4 @@
-#include "sweep/study/evaluate.h"
+#include "sweep/study/evaluate_points.h"
 
 #include "analysis/joint/parameters.h"
 #include "analysis/simulation/lanes/batch.h"

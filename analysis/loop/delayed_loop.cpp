@@ -1,4 +1,4 @@
-#include "analysis/loop/late_loop.h"
+#include "analysis/loop/delayed_loop.h"
 
 #include <cmath>
 
@@ -24,15 +24,15 @@ std::vector<double> poles_around(double lag, bool integrates)
 
 }  // namespace
 
-LateLoop late_loop(const LatePlant& late, double delay, double tau, double lag, const LoopGains& base,
-                   const LoopGains& turned)
+DelayedLoop delayed_loop(const DelayedPlant& delayed, double delay, double tau, double lag, const LoopGains& base,
+                         const LoopGains& turned)
 {
-    const auto& plant = late.prompt;
+    const auto& plant = delayed.prompt;
     const auto n = plant.A.rows();
     const bool filter = tau > 0 && (base.estimates() || turned.estimates());
     const bool integrates = base.integral != 0 || turned.integral != 0;
     const Eigen::Index size = n + filter + integrates;
-    LateLoop loop;
+    DelayedLoop loop;
     loop.delay = delay;
     loop.A = Eigen::MatrixXd::Zero(size, size);
     loop.A.topLeftCorner(n, n) = plant.A;
@@ -55,39 +55,39 @@ LateLoop late_loop(const LatePlant& late, double delay, double tau, double lag, 
     };
     loop.held = -feedback(base);
     loop.output = feedback(turned);
-    if (late.friction.empty()) return loop;
-    for (auto f : late.friction) {
+    if (delayed.friction.empty()) return loop;
+    for (auto f : delayed.friction) {
         f.push.conservativeResizeLike(Eigen::VectorXd::Zero(size));
         f.speed = widened(f.speed, size);
         loop.friction.push_back(std::move(f));
     }
-    loop.mechanism_right_of = late.roots_right_of;
+    loop.mechanism_right_of = delayed.roots_right_of;
     loop.other_poles = poles_around(lag, integrates);
     if (filter) loop.other_poles.push_back(-1 / tau);
     return loop;
 }
 
-std::optional<LateLoop> late_sampled_loop(const LatePlant& late, const LoopTiming& timing, double lag,
-                                          const LoopGains& base, const LoopGains& turned)
+std::optional<DelayedLoop> delayed_sampled_loop(const DelayedPlant& delayed, const LoopTiming& timing, double lag,
+                                                const LoopGains& base, const LoopGains& turned)
 {
-    const auto parts = loop_without_whole_ticks(late.prompt, timing, base, turned);
+    const auto parts = loop_without_whole_ticks(delayed.prompt, timing, base, turned);
     if (!parts) return std::nullopt;
-    LateLoop loop;
+    DelayedLoop loop;
     loop.A = parts->loop.difference;
     loop.input = parts->loop.input;
     loop.output = parts->loop.output;
     loop.held = parts->held;
     loop.period = timing.period;
     loop.delay = parts->whole_ticks * timing.period;
-    if (late.friction.empty()) return loop;
-    loop.friction = late.friction;
-    loop.mechanism_right_of = late.roots_right_of;
+    if (delayed.friction.empty()) return loop;
+    loop.friction = delayed.friction;
+    loop.mechanism_right_of = delayed.roots_right_of;
     const bool sums = base.integral != 0 || turned.integral != 0;
     const bool travels = timing.exact && (base.travelled != 0 || turned.travelled != 0);
     loop.other_poles = poles_around(lag, sums || travels);
     if (!timing.exact && timing.tau > 0 && (base.estimates() || turned.estimates()))
         loop.other_poles.push_back(std::log(timing.tau / (timing.tau + timing.period)) / timing.period);
-    loop.ticked = std::make_shared<const TickedFriction>(TickedFriction{late.prompt, timing, base, turned});
+    loop.ticked = std::make_shared<const TickedFriction>(TickedFriction{delayed.prompt, timing, base, turned});
     return loop;
 }
 

@@ -1,4 +1,4 @@
-// What friction that answers late needs of a motion: the speeds of its bodies over the last lag, and the instants at
+// What delayed friction needs of a motion: the speeds of its bodies over the last lag, and the instants at
 // which they have a kink. Over less than a lag the friction is then a known function of time (method of steps).
 #pragma once
 #include "analysis/friction/friction.h"
@@ -10,15 +10,15 @@
 
 namespace stickslip {
 
-class LatePast {
+class PastSpeeds {
   public:
     using Speeds = std::array<double, max_bodies>;
 
     void set_lag(int body, double lag);
-    /// 0 of bodies whose friction is not late.
+    /// 0 of bodies whose friction is not delayed.
     double lag(int i) const { return lag_[i]; }
     double longest_lag() const { return longest_lag_; }
-    bool is_late() const { return longest_lag_ > 0; }
+    bool is_delayed() const { return longest_lag_ > 0; }
     const SpeedHistory& history(int i) const { return history_[i]; }
 
     /// A lag after a kink the velocity's derivative has it, one order higher each further lag: then it lies beyond the
@@ -33,7 +33,7 @@ class LatePast {
     void note_kink(double now, int lags = felt_lags);
     /// By when a step from now must end: the past that it needs must be known and smooth. Bodies at rest need none.
     double step_limit(double now, const std::array<bool, max_bodies>& rests);
-    /// Takes a step of a late body into its past.
+    /// Takes a step of a delayed body into its past.
     void append(int i, const SpeedHistory::Step& step);
     /// The speed a lag ago.
     SpeedHistory::Speed then(int i, double now) const;
@@ -49,10 +49,10 @@ class LatePast {
     double piece_from_ = 0, piece_to_ = infinity;  ///< between kinks: where the present step lies
 };
 
-/// What late friction resists, at the body's own side, where the body felt the speed V ≥ 0 a lag ago and moves forwards
-/// or backwards now: its level is late, its direction is not.
-double late_force(const Friction& friction, double V, bool backwards);
+/// What delayed friction resists, at the body's own side, where the body felt the speed V ≥ 0 a lag ago and moves
+/// forwards or backwards now: its level is delayed, its direction is not.
+double delayed_force(const Friction& friction, double V, bool backwards);
 /// Its change per change of that V.
-double late_slope(const Friction& friction, double V, bool backwards);
+double delayed_slope(const Friction& friction, double V, bool backwards);
 
 }  // namespace stickslip

@@ -1,4 +1,4 @@
-#include "analysis/simulation/flows/late_past.h"
+#include "analysis/simulation/flows/past_speeds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,20 @@ constexpr double passed_of_lag = 1e-12, passed_of_time = 1e-13;
 
 }  // namespace
 
-void LatePast::set_lag(int body, double lag)
+void PastSpeeds::set_lag(int body, double lag)
 {
     lag_[body] = lag;
     shortest_lag_ = std::min(shortest_lag_, lag);
     longest_lag_ = std::max(longest_lag_, lag);
 }
 
-void LatePast::begin(double now, const Speeds& before)
+void PastSpeeds::begin(double now, const Speeds& before)
 {
     for (int i = 0; i < max_bodies; ++i) history_[i].start(before[i]);
     restart(now);
 }
 
-void LatePast::restart(double now)
+void PastSpeeds::restart(double now)
 {
     for (auto& history : history_) history.start(history.velocity_before());
     kinks_.clear();
@@ -36,13 +36,13 @@ void LatePast::restart(double now)
     note_kink(now);
 }
 
-void LatePast::note_kink(double now, int lags)
+void PastSpeeds::note_kink(double now, int lags)
 {
     for (const double lag : lag_)
         for (int k = 1; lag > 0 && k <= lags; ++k) kinks_.insert(now + k * lag);
 }
 
-double LatePast::step_limit(double now, const std::array<bool, max_bodies>& rests)
+double PastSpeeds::step_limit(double now, const std::array<bool, max_bodies>& rests)
 {
     const double passed = now + std::max(passed_of_lag * shortest_lag_, passed_of_time * std::abs(now));
     while (!kinks_.empty() && *kinks_.begin() <= passed) {
@@ -56,19 +56,19 @@ double LatePast::step_limit(double now, const std::array<bool, max_bodies>& rest
     return std::min(now + reach, piece_to_);
 }
 
-void LatePast::append(int i, const SpeedHistory::Step& step)
+void PastSpeeds::append(int i, const SpeedHistory::Step& step)
 {
     history_[i].append(step, step.from - kept_lags * lag_[i]);  // both ends of the step still ask for their past
 }
 
-SpeedHistory::Speed LatePast::then(int i, double now) const
+SpeedHistory::Speed PastSpeeds::then(int i, double now) const
 {
     const double margin = beside * std::min(piece_to_ - piece_from_, lag_[i]);
     const double pick = std::clamp(now, piece_from_ + margin, piece_to_ - margin);
     return history_[i].at(now - lag_[i], pick - lag_[i]);
 }
 
-void LatePast::scale(double by)
+void PastSpeeds::scale(double by)
 {
     for (auto& history : history_) history.scale(by);
 }
@@ -83,13 +83,13 @@ double both_ways(const Friction& friction, double V)
 
 }  // namespace
 
-double late_force(const Friction& friction, double V, bool backwards)
+double delayed_force(const Friction& friction, double V, bool backwards)
 {
     const double forward = steady_force(friction, V);
     return backwards ? 2 * both_ways(friction, V) - forward : forward;
 }
 
-double late_slope(const Friction& friction, double V, bool backwards)
+double delayed_slope(const Friction& friction, double V, bool backwards)
 {
     const double level = steady_slope(std::get<TimeLag>(friction.law).curve.law, V);
     const double forward = friction.normal_load * (level + friction.asymmetry.viscous);

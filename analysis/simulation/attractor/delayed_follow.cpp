@@ -7,7 +7,7 @@
 #include "analysis/numerics/lasting.h"
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/attractor/repeats.h"
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 
 namespace stickslip {
 namespace {
@@ -20,7 +20,7 @@ constexpr int settling_turns = 60;     ///< before one that has not is tested fo
 constexpr double by_the_linear_rate = 0.02;
 constexpr int linear_turns = 20;  ///< in succession that decayed at that rate: the rest of the decay is known
 
-double distance(const LateFlow& flow, const FlowVector& a, const FlowVector& b)
+double distance(const DelayedFlow& flow, const FlowVector& a, const FlowVector& b)
 {
     const auto n = flow.chain().size();
     return (a - b).head(n).cwiseQuotient(flow.scale().head(n)).cwiseAbs().maxCoeff();
@@ -35,7 +35,7 @@ Attractor from_turns(const std::deque<Turn>& turns, int newest, Attractor result
 
 /// A motion that has neither closed nor settled. One that was cut short for want of work says less, and less is read
 /// from it.
-Attractor unclosed(const LateFlow& flow, const std::deque<Turn>& turns, bool cut_short, Attractor result)
+Attractor unclosed(const DelayedFlow& flow, const std::deque<Turn>& turns, bool cut_short, Attractor result)
 {
     using Kind = Attractor::Kind;
     const int count = static_cast<int>(turns.size());
@@ -58,7 +58,7 @@ Attractor unclosed(const LateFlow& flow, const std::deque<Turn>& turns, bool cut
 
 }  // namespace
 
-Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attracts, const FollowOptions& options)
+Attractor follow(const DelayedFlow& flow, const FlowVector& from, bool steady_attracts, const FollowOptions& options)
 {
     using Kind = Attractor::Kind;
     const auto mode = slow_mode(flow);
@@ -106,7 +106,7 @@ Attractor follow(const LateFlow& flow, const FlowVector& from, bool steady_attra
         turns_at_the_linear_rate = decays ? turns_at_the_linear_rate + 1 : 0;
         if (turns_at_the_linear_rate >= linear_turns) return ended(Kind::steady);
         last_size = size;
-        if (options.work) options.work->spend(turn.steps * Work::of_late_step(flow.size()));
+        if (options.work) options.work->spend(turn.steps * Work::of_delayed_step(flow.size()));
         if (options.work && options.work->spent()) break;
     }
     return unclosed(flow, turns, result.turns < options.turn_limit, result);

@@ -1,4 +1,4 @@
-#include "analysis/loop/late_share.h"
+#include "analysis/loop/delayed_share.h"
 
 #include <Eigen/Dense>
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-Eigen::MatrixXd with_speeds(const Eigen::MatrixXd& rows, const std::vector<LateFriction>& friction)
+Eigen::MatrixXd with_speeds(const Eigen::MatrixXd& rows, const std::vector<DelayedFriction>& friction)
 {
     Eigen::MatrixXd all(rows.rows() + static_cast<Eigen::Index>(friction.size()), rows.cols());
     all.topRows(rows.rows()) = rows;
@@ -21,31 +21,31 @@ Eigen::MatrixXd with_speeds(const Eigen::MatrixXd& rows, const std::vector<LateF
 
 }  // namespace
 
-LateShare::LateShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, const Eigen::MatrixXd& rows,
-                     const std::vector<LateFriction>& friction)
+DelayedShare::DelayedShare(const Eigen::MatrixXd& A, const Eigen::VectorXd& input, const Eigen::MatrixXd& rows,
+                           const std::vector<DelayedFriction>& friction)
     : friction_(friction), rows_(rows.rows()), by_input_(A, input, with_speeds(rows, friction))
 {
     for (const auto& f : friction_) by_push_.emplace_back(A, f.push, with_speeds(rows, friction_));
 }
 
-void LateShare::at(Complex s, Complex* added) const
+void DelayedShare::at(Complex s, Complex* added) const
 {
-    std::array<Answer, most_late> answers;
+    std::array<Answer, most_delayed> answers;
     for (std::size_t i = 0; i < friction_.size(); ++i) answers[i] = {friction_[i].answer(s), 0};
     at(s, 0, answers.data(), added);
 }
 
 /// r = U' + W' U' + W'² U' + …, with U' = G U and W' = G W: (1 − W')⁻¹ U' less its first terms, of the delays alone.
-void LateShare::at(Complex s, int early, const Answer* answers, Complex* added) const
+void DelayedShare::at(Complex s, int early, const Answer* answers, Complex* added) const
 {
-    using Square = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_late, most_late>;
-    using Column = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_late, 1>;
+    using Square = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_delayed, most_delayed>;
+    using Column = Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_delayed, 1>;
     const auto m = static_cast<Eigen::Index>(friction_.size());
-    std::array<Complex, 4 + most_late> values;
+    std::array<Complex, 4 + most_delayed> values;
     by_input_.at(s, values.data());
     Square closed(m, m), again(m, m);
     Column force(m), term(m);
-    Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, 4, most_late> by_force(rows_, m);
+    Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, 4, most_delayed> by_force(rows_, m);
     for (Eigen::Index i = 0; i < m; ++i) {
         const Complex speed = values[static_cast<std::size_t>(rows_ + i)];
         force[i] = answers[i].all * speed;

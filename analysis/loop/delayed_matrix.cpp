@@ -2,13 +2,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/loop/late_loop.h"
+#include "analysis/loop/delayed_loop.h"
 
 namespace stickslip {
 
 using std::numbers::pi;
 
-Eigen::MatrixXd late_matrix(const LateLoop& loop, double gain, int nodes)
+Eigen::MatrixXd delayed_matrix(const DelayedLoop& loop, double gain, int nodes)
 {
     const auto n = loop.A.rows();
     /// Something that acts a while after it arose.

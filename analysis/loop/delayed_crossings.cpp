@@ -1,10 +1,10 @@
-// Where roots of a late loop cross the border of stability as its gain grows, and the gains between.
+// Where roots of a delayed loop cross the border of stability as its gain grows, and the gains between.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <numbers>
 
 #include "analysis/base/work_limits.h"
-#include "analysis/loop/late_count.h"
+#include "analysis/loop/root_count.h"
 #include "analysis/numerics/eigenvalues.h"
 #include "analysis/numerics/root.h"
 
@@ -29,7 +29,7 @@ struct Reach {
     double from, to;
     double rounding;  ///< below it a pole may be an integrator
 };
-Reach features(const LateLoop& loop, const OpenedLoop& open)
+Reach features(const DelayedLoop& loop, const OpenedLoop& open)
 {
     double low = infinity, high = 0;
     const auto take = [&](Complex s) {
@@ -45,8 +45,8 @@ Reach features(const LateLoop& loop, const OpenedLoop& open)
     }
     if (std::isfinite(open.turns_in())) low = std::min(low, open.turns_in());
     constexpr double turns = 50 * pi, far = 1e4, above = 30, integrator = 1e-9;
-    const bool late = std::isfinite(open.turns_in());
-    const double to = late ? std::max(turns * open.turns_in(), above * high) : far * high;
+    const bool delayed = std::isfinite(open.turns_in());
+    const double to = delayed ? std::max(turns * open.turns_in(), above * high) : far * high;
     return {1e-4 * low, std::isfinite(open.end()) ? open.end() : to, integrator * high};
 }
 
@@ -59,7 +59,7 @@ void cross_at_end(const OpenedLoop& open, double before, AxisCrossings& found)
 
 }  // namespace
 
-AxisCrossings axis_crossings(const LateLoop& loop)
+AxisCrossings axis_crossings(const DelayedLoop& loop)
 {
     AxisCrossings found;
     if (!loop.A.allFinite()) return found;
@@ -123,15 +123,15 @@ namespace {
 
 /// Growth somewhere between two neighbouring crossings, at the own gain where that lies there, so that no window
 /// contradicts the verdict. Where it cannot be confirmed at one gain, another has the same sign.
-double growth_between(const LateLoop& loop, double low, double high, double own)
+double growth_between(const DelayedLoop& loop, double low, double high, double own)
 {
     if (own > low && own < high) {
-        const double growth = late_growth(loop, own);
+        const double growth = delayed_growth(loop, own);
         if (std::isfinite(growth)) return growth;
     }
     const double from = low > 0 ? low : high < infinity ? 1e-6 * high : 1, to = high < infinity ? high : 1e6 * from;
     for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
-        const double growth = late_side(loop, from * std::pow(to / from, share));
+        const double growth = delayed_side(loop, from * std::pow(to / from, share));
         if (std::isfinite(growth)) return growth;
     }
     return not_set;
@@ -139,12 +139,12 @@ double growth_between(const LateLoop& loop, double low, double high, double own)
 
 /// By counting once, at one gain, and adding what each crossing brings over: long dead time has hundreds. Nothing
 /// where that cannot be, as then a crossing is missing.
-std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const AxisCrossings& all, double at)
+std::optional<std::vector<Interval>> stable_by_count(const DelayedLoop& loop, const AxisCrossings& all, double at)
 {
     constexpr double beside = 1e-6;
     const OpenedLoop open(loop);
     // short dead time turns far above every root: the line has to stand left of the rightmost one
-    const double growth = late_growth(loop, at), nearest = beside * std::min(open.turns_in(), growth);
+    const double growth = delayed_growth(loop, at), nearest = beside * std::min(open.turns_in(), growth);
     if (std::isnan(growth) || growth == 0) return std::nullopt;
     const auto there = growth < 0 ? std::optional(0) : roots_right_of(open, at, nearest, nearest);
     if (!there) return std::nullopt;
@@ -174,7 +174,7 @@ std::optional<std::vector<Interval>> stable_by_count(const LateLoop& loop, const
 
 }  // namespace
 
-std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, double own)
+std::vector<Interval> stable_gains(const DelayedLoop& loop, AxisCrossings& all, double own)
 {
     constexpr std::size_t many = 12;  // crossings, between which a growth each takes longer than it is worth
     if (all.crossings.size() > many && all.doubtful.empty()) {
@@ -204,7 +204,7 @@ std::vector<Interval> stable_gains(const LateLoop& loop, AxisCrossings& all, dou
     return intervals;
 }
 
-CommandMargins command_margins(const LateLoop& loop, const LateSpectrum& closed)
+CommandMargins command_margins(const DelayedLoop& loop, const DelayedSpectrum& closed)
 {
     const OpenedLoop open(loop);
     double size = 0;
@@ -212,7 +212,7 @@ CommandMargins command_margins(const LateLoop& loop, const LateSpectrum& closed)
     constexpr double below = 1e-7, above = 1e2;
     const auto L = [&](double omega) {
         const Complex s(0, omega);
-        return open.prompt(s).first * open.late(s);
+        return open.prompt(s).first * open.delayed(s);
     };
     return command_margins(closed.growth < 0, axis_crossings(loop).crossings, L, below * size,
                            std::min(above * size, open.end()));

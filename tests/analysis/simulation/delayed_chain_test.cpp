@@ -1,4 +1,4 @@
-// Friction that answers late on joints of several bodies and through reversal: against small fixed steps, against the
+// Delayed friction on joints of several bodies and through reversal: against small fixed steps, against the
 // linear spectrum, and in the limit of a stiff transmission against the single mass.
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace stickslip;
 
 namespace {
 
-FrictionLaw late(double lag, CurveLaw curve)
+FrictionLaw delayed(double lag, CurveLaw curve)
 {
     TimeLag law;
     law.lag = lag;
@@ -122,7 +122,7 @@ Swing by_small_steps(double motor, double link, double k, double damping, double
 
 TEST_CASE("time lag behind a stiff transmission: the single mass", "[nonlinear]")
 {
-    const auto law = late(5e-3, stribeck(8, 0, 0.6, 2e-3));
+    const auto law = delayed(5e-3, stribeck(8, 0, 0.6, 2e-3));
     const auto single = nonlinear_verdict(one_mass(1, 6e4, 1e-3, law), {});
     const auto chain = nonlinear_verdict(two_masses(0.4, 0.6, 3e9, 3e3, 6e4, 1e-3, no_friction(), law), {});
     CHECK(single.outcome == Outcome::stick_slip);
@@ -149,7 +149,8 @@ TEST_CASE("time lag on some of several bodies: measured growth against the spect
     int measured = 0;
     for (int i = 0; i < 12; ++i) {
         const double V0 = between(1e-3, 1e-2);
-        const auto law = late(between(1e-3, 2e-2), stribeck(6, between(0.1, 20), between(0.1, 1), between(1, 4) * V0));
+        const auto law =
+            delayed(between(1e-3, 2e-2), stribeck(6, between(0.1, 20), between(0.1, 1), between(1, 4) * V0));
         const FrictionLaw other = i % 3 == 0   ? law
                                   : i % 3 == 1 ? FrictionLaw(stribeck(2, 10, 0.1, 2 * V0))
                                                : FrictionLaw(slip);
@@ -173,7 +174,7 @@ TEST_CASE("time lag behind a soft transmission, with sticking, against small fix
         0.4, 0.6, 2e5, 20, 3e4, 1e-3, 5e-3, [&](double V) { return curve.steady_force(std::max(V, 1e-12)); }, 8.6, 1e-6,
         4, 4000);
     const auto verdict =
-        nonlinear_verdict(two_masses(0.4, 0.6, 2e5, 20, 3e4, 1e-3, no_friction(), late(5e-3, curve)), {});
+        nonlinear_verdict(two_masses(0.4, 0.6, 2e5, 20, 3e4, 1e-3, no_friction(), delayed(5e-3, curve)), {});
     CHECK(verdict.outcome == Outcome::stick_slip);
     CHECK(verdict.period == Approx(truth.period).epsilon(1e-3));
     CHECK(verdict.amplitude == Approx(truth.amplitude).epsilon(1e-3));
@@ -186,7 +187,7 @@ TEST_CASE("time lag: what turns back is followed through reversal, against small
     const auto truth = by_small_steps(
         0, 1, 0, 0, 1e4, 1e-2, 1e-3, [&](double V) { return curve.steady_force(std::max(V, 1e-14)); }, 0.55, 1e-5, 8,
         2000);
-    const auto verdict = nonlinear_verdict(one_mass(1, 1e4, 1e-2, late(1e-3, curve)), {});
+    const auto verdict = nonlinear_verdict(one_mass(1, 1e4, 1e-2, delayed(1e-3, curve)), {});
     CHECK(truth.least_speed < 0);
     CHECK(verdict.outcome == Outcome::reversal);
     CHECK(verdict.reason == Reason::none);
@@ -204,7 +205,7 @@ TEST_CASE("time lag on the steady curve of LuGre: held at rest, and followed thr
         law.coulomb = coulomb, law.breakaway = breakaway, law.stribeck_velocity = stribeck_velocity;
         const auto curve = [&](double V) { return law.steady_force(std::max(V, 1e-15)); };
         const auto truth = by_small_steps(0, 1, 0, 0, k_p, V0, lag, curve, breakaway, V0 / 63, 8, 2000);
-        const auto verdict = nonlinear_verdict(one_mass(1, k_p, V0, late(lag, law)), {});
+        const auto verdict = nonlinear_verdict(one_mass(1, k_p, V0, delayed(lag, law)), {});
         CAPTURE(V0, truth.least_speed);
         CHECK(verdict.outcome == (truth.least_speed < 0 ? Outcome::reversal : Outcome::stick_slip));
         CHECK(verdict.period == Approx(truth.period).epsilon(2e-3));
@@ -217,7 +218,8 @@ TEST_CASE("time lag on the steady curve of LuGre: held at rest, and followed thr
 
 TEST_CASE("time lag on several bodies: the trajectory ends where the verdict says", "[nonlinear]")
 {
-    const Joint joint = two_masses(0.4, 0.6, 2e5, 20, 3e4, 1e-3, no_friction(), late(5e-3, stribeck(8, 0, 0.6, 2e-3)));
+    const Joint joint =
+        two_masses(0.4, 0.6, 2e5, 20, 3e4, 1e-3, no_friction(), delayed(5e-3, stribeck(8, 0, 0.6, 2e-3)));
     SimulateOptions options;
     options.duration = 6;
     options.disturbance.size = 1e-6;

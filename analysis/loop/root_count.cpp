@@ -1,4 +1,4 @@
-#include "analysis/loop/late_count.h"
+#include "analysis/loop/root_count.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ using std::numbers::pi;
 class Line {
   public:
     Line(const OpenedLoop& open, double gain, double sigma, double radius)
-        : open_(open), gain_(gain), sigma_(sigma), radius_(radius), grown_(std::abs(open.late(sigma)))
+        : open_(open), gain_(gain), sigma_(sigma), radius_(radius), grown_(std::abs(open.delayed(sigma)))
     {
     }
 
@@ -31,7 +31,7 @@ class Line {
         const Complex s = place(way);
         const auto r = open_.prompt(s);
         const Complex L = gain_ * r.first - r.second;
-        return Look{L, 1.0 + L * open_.late(s)};
+        return Look{L, 1.0 + L * open_.delayed(s)};
     }
     double size(const Look& look) const { return std::abs(look.prompt) * grown_; }
     /// How far from there a step sees all that happens.

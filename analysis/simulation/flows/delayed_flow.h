@@ -1,10 +1,10 @@
-// Friction that answers late, f(t) = f_ss(V(t − τ)), by the method of steps: over less than a lag the late friction is
+// Delayed friction, f(t) = f_ss(V(t − τ)), by the method of steps: over less than a lag the delayed friction is
 // a known function of time, and the motion a flow like any other.
 #pragma once
 #include "analysis/results/detail.h"
 #include "analysis/simulation/flows/chain_flow.h"
-#include "analysis/simulation/flows/late_past.h"
 #include "analysis/simulation/flows/mode.h"
+#include "analysis/simulation/flows/past_speeds.h"
 
 #include <array>
 
@@ -14,9 +14,9 @@ namespace stickslip {
 /// itself. The lag delays the level of the friction; its direction is that of the present motion, as in the model of
 /// Armstrong-Hélouvry, Dupont & Canudas de Wit, Automatica 30 (1994), so that a body may turn back, and at rest a body
 /// holds what its static friction allows. The flow carries the past of one motion: each motion needs a copy.
-class LateFlow final : public SwitchingFlow {
+class DelayedFlow final : public SwitchingFlow {
   public:
-    explicit LateFlow(ChainFlow chain);
+    explicit DelayedFlow(ChainFlow chain);
 
     const ChainFlow& chain() const { return chain_; }
     double V0 = not_set;
@@ -36,7 +36,7 @@ class LateFlow final : public SwitchingFlow {
     std::unique_ptr<Flow> with_gain(double k_p) const override;
     double gain() const override { return chain_.gain(); }
     double wind_up_time() const override { return chain_.wind_up_time(); }
-    std::unique_ptr<Flow> copy() const override { return std::make_unique<LateFlow>(*this); }
+    std::unique_ptr<Flow> copy() const override { return std::make_unique<DelayedFlow>(*this); }
 
     int switches() const override { return chain_.switches(); }
     void switch_values(const FlowVector& y, double* values) const override;
@@ -58,8 +58,8 @@ class LateFlow final : public SwitchingFlow {
     /// The velocity of some body has a kink now, and its friction a lag later.
     void note_kink(const FlowVector& y) { past_.note_kink(clock(y)); }
 
-    /// Of the late bodies: a_i of v̇_i(t) = … + a_i v_i(t − τ_i) about steady sliding.
-    double late_rate(int i) const;
+    /// Of the delayed bodies: a_i of v̇_i(t) = … + a_i v_i(t − τ_i) about steady sliding.
+    double delayed_rate(int i) const;
     double lag(int i) const { return past_.lag(i); }
     double longest_lag() const { return past_.longest_lag(); }
     const SpeedHistory& history(int i) const { return past_.history(i); }
@@ -67,16 +67,16 @@ class LateFlow final : public SwitchingFlow {
   private:
     FlowVector with_clock(const FlowVector& y, double clock) const;
     /// What the bodies' friction resists, and its change in time.
-    LateFriction friction_at(double clock) const;
-    LateFriction friction_rate_at(double clock) const;
-    LatePast::Speeds steady_speeds() const;
+    DelayedForces friction_at(double clock) const;
+    DelayedForces friction_rate_at(double clock) const;
+    PastSpeeds::Speeds steady_speeds() const;
 
     ChainFlow chain_;
-    LatePast past_;
+    PastSpeeds past_;
 };
 
 template <class At>
-void LateFlow::remember(const FlowVector& from, const FlowVector& to, const At& at)
+void DelayedFlow::remember(const FlowVector& from, const FlowVector& to, const At& at)
 {
     const double t0 = clock(from), t1 = clock(to);
     if (!(t1 > t0)) return;
@@ -89,25 +89,25 @@ void LateFlow::remember(const FlowVector& from, const FlowVector& to, const At& 
     }
 }
 
-/// The flow of a joint some of whose bodies answer late; nothing if none does.
-struct LateOrReason {
-    LateFlow flow;
+/// The flow of a joint some of whose bodies are delayed; nothing if none does.
+struct DelayedOrReason {
+    DelayedFlow flow;
     Reason reason = Reason::none;
 };
-bool answers_late(const Joint& joint);
+bool has_delayed_friction(const Joint& joint);
 
-/// Why a joint of the ideal loop is `unsupported`: it has no flow, late or not.
+/// Why a joint of the ideal loop is `unsupported`: it has no flow, delayed or not.
 Detail why_no_flow(const Joint& joint);
-LateOrReason late_flow(const Joint& joint);
+DelayedOrReason delayed_flow(const Joint& joint);
 
 /// The rightmost root of the characteristic equation with its null vectors.
-SlowMode slow_mode(const LateFlow& flow);
-double default_size(const LateFlow& flow, const SlowMode& mode, DisturbanceKind kind);
+SlowMode slow_mode(const DelayedFlow& flow);
+double default_size(const DelayedFlow& flow, const SlowMode& mode, DisturbanceKind kind);
 /// As for a chain. One body has no state that could balance an offset: `position` and `velocity` change nothing else.
-FlowVector disturbed(const LateFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
-void push(const LateFlow& flow, FlowVector& y, double impulse);
+FlowVector disturbed(const DelayedFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size);
+void push(const DelayedFlow& flow, FlowVector& y, double impulse);
 
 /// As measure_growth of a flow, with the memory of the motion in the projection on the mode.
-double measure_growth(const LateFlow& flow, const SlowMode& mode, const FlowVector& probe);
+double measure_growth(const DelayedFlow& flow, const SlowMode& mode, const FlowVector& probe);
 
 }  // namespace stickslip

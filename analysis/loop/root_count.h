@@ -1,4 +1,4 @@
-// How many roots of a late loop lie right of a vertical line: the argument principle.
+// How many roots of a delayed loop lie right of a vertical line: the argument principle.
 #pragma once
 #include <optional>
 

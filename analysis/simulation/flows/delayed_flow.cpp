@@ -1,4 +1,4 @@
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 
 #include "analysis/stability/linear_joint.h"
 
@@ -7,64 +7,64 @@
 
 namespace stickslip {
 
-LateFlow::LateFlow(ChainFlow chain) : V0(chain.V0), chain_(std::move(chain))
+DelayedFlow::DelayedFlow(ChainFlow chain) : V0(chain.V0), chain_(std::move(chain))
 {
     for (int i = 0; i < chain_.bodies; ++i) {
         const auto& b = chain_.body[i];
-        if (!b.late) continue;
+        if (!b.delayed) continue;
         past_.set_lag(i, std::get<TimeLag>(b.friction.law).lag);
     }
     past_.begin(0, steady_speeds());
 }
 
-FlowVector LateFlow::with_clock(const FlowVector& y, double clock) const
+FlowVector DelayedFlow::with_clock(const FlowVector& y, double clock) const
 {
     FlowVector longer(size());
     longer << y, clock;
     return longer;
 }
 
-LatePast::Speeds LateFlow::steady_speeds() const
+PastSpeeds::Speeds DelayedFlow::steady_speeds() const
 {
-    LatePast::Speeds speeds{};
+    PastSpeeds::Speeds speeds{};
     for (int i = 0; i < chain_.bodies; ++i) speeds[i] = chain_.body[i].speed;
     return speeds;
 }
 
-LateFriction LateFlow::friction_at(double clock) const
+DelayedForces DelayedFlow::friction_at(double clock) const
 {
-    LateFriction late{};
+    DelayedForces delayed{};
     for (int i = 0; i < chain_.bodies; ++i) {
         const auto& b = chain_.body[i];
-        if (!b.late) continue;
+        if (!b.delayed) continue;
         const double V = b.ratio * std::max(std::abs(past_.then(i, clock).value), rest_speed * b.speed);
-        late[i] = late_force(b.friction, V, b.mode == ChainFlow::Mode::reverse);
+        delayed[i] = delayed_force(b.friction, V, b.mode == ChainFlow::Mode::reverse);
     }
-    return late;
+    return delayed;
 }
 
-LateFriction LateFlow::friction_rate_at(double clock) const
+DelayedForces DelayedFlow::friction_rate_at(double clock) const
 {
-    LateFriction change{};
+    DelayedForces change{};
     for (int i = 0; i < chain_.bodies; ++i) {
         const auto& b = chain_.body[i];
-        if (!b.late) continue;
+        if (!b.delayed) continue;
         const auto then = past_.then(i, clock);
         const double V = b.ratio * std::abs(then.value);
         if (!(V > rest_speed * b.ratio * b.speed)) continue;
-        const double slope = late_slope(b.friction, V, b.mode == ChainFlow::Mode::reverse);
+        const double slope = delayed_slope(b.friction, V, b.mode == ChainFlow::Mode::reverse);
         change[i] = slope * b.ratio * std::copysign(then.slope, then.slope * then.value);
     }
     return change;
 }
 
-void LateFlow::rate(const FlowVector& y, FlowVector& out) const
+void DelayedFlow::rate(const FlowVector& y, FlowVector& out) const
 {
     chain_.rate(y, friction_at(clock(y)), out);
     out = with_clock(FlowVector(out), 1);
 }
 
-void LateFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
+void DelayedFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
 {
     const int n = chain_.size();
     FlowMatrix of_chain;
@@ -78,49 +78,49 @@ void LateFlow::jacobian(const FlowVector& y, FlowMatrix& J) const
     }
 }
 
-std::unique_ptr<Flow> LateFlow::with_gain(double k_p) const
+std::unique_ptr<Flow> DelayedFlow::with_gain(double k_p) const
 {
-    auto copy = std::make_unique<LateFlow>(*this);
+    auto copy = std::make_unique<DelayedFlow>(*this);
     copy->chain_.loop.k_p = k_p;
     return copy;
 }
 
-void LateFlow::switch_values(const FlowVector& y, double* values) const
+void DelayedFlow::switch_values(const FlowVector& y, double* values) const
 {
     chain_.switch_values(y, friction_at(clock(y)), values);
 }
 
-void LateFlow::enter(FlowVector& y)
+void DelayedFlow::enter(FlowVector& y)
 {
     chain_.enter(y, friction_at(clock(y)));
 }
 
-void LateFlow::pass(int which, FlowVector& y)
+void DelayedFlow::pass(int which, FlowVector& y)
 {
     chain_.pass(which, y, friction_at(clock(y)));
     note_kink(y);
 }
 
-void LateFlow::begin(FlowVector& y)
+void DelayedFlow::begin(FlowVector& y)
 {
     y[chain_.size()] = 0;
     past_.begin(0, steady_speeds());
 }
 
-double LateFlow::step_limit(const FlowVector& y)
+double DelayedFlow::step_limit(const FlowVector& y)
 {
     std::array<bool, max_bodies> rests{};
     for (int i = 0; i < chain_.bodies; ++i) rests[i] = chain_.body[i].mode == ChainFlow::Mode::stuck;
     return past_.step_limit(clock(y), rests);
 }
 
-double LateFlow::late_rate(int i) const
+double DelayedFlow::delayed_rate(int i) const
 {
     const auto& b = chain_.body[i];
-    return -b.ratio * b.ratio * late_slope(b.friction, b.ratio * b.speed, false) / b.inertia;
+    return -b.ratio * b.ratio * delayed_slope(b.friction, b.ratio * b.speed, false) / b.inertia;
 }
 
-bool answers_late(const Joint& joint)
+bool has_delayed_friction(const Joint& joint)
 {
     const auto chain = chain_of(joint);
     return std::any_of(chain.body.begin(), chain.body.begin() + chain.bodies,
@@ -129,7 +129,7 @@ bool answers_late(const Joint& joint)
 
 Detail why_no_flow(const Joint& joint)
 {
-    if (answers_late(joint)) return Detail::late_with_memory;
+    if (has_delayed_friction(joint)) return Detail::late_with_memory;
     if (joint.normal.moves()) return Detail::moving_normal_load;
     if (joint.neighbour.size > 0) return Detail::neighbours;
     const auto& m = joint.mechanism;
@@ -138,10 +138,10 @@ Detail why_no_flow(const Joint& joint)
     return Detail::place_or_time;
 }
 
-LateOrReason late_flow(const Joint& joint)
+DelayedOrReason delayed_flow(const Joint& joint)
 {
     auto chain = chain_flow(joint, true);
-    return {LateFlow(std::move(chain.flow)), chain.reason};
+    return {DelayedFlow(std::move(chain.flow)), chain.reason};
 }
 
 }  // namespace stickslip

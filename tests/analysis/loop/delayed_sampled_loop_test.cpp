@@ -1,4 +1,4 @@
-// Sampled loops that no small matrix holds: many ticks of dead time, and friction that answers late. Against the matrix
+// Sampled loops that no small matrix holds: many ticks of dead time, and delayed friction. Against the matrix
 // of the same loop with its commands in it, and against motions stepped tick by tick.
 #include "analysis/friction/time_lag.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
@@ -50,7 +50,7 @@ double stepped_growth(double damping, double weight, double lag, double k_p, dou
             const auto at = [&](std::size_t ago) { return past[past.size() - 1 - ago]; };
             const double now = at(back), next = at(back - 1);
             const double half = (-at(back + 1) + 9 * now + 9 * next - at(back - 2)) / 16;
-            const auto a = [&](double speed, double late) { return u - damping * speed + weight * late; };
+            const auto a = [&](double speed, double delayed) { return u - damping * speed + weight * delayed; };
             const double k1 = a(v, now), k2 = a(v + h / 2 * k1, half), k3 = a(v + h / 2 * k2, half),
                          k4 = a(v + h * k3, next);
             x += h * v + h * h / 6 * (k1 + k2 + k3);
@@ -101,12 +101,12 @@ TEST_CASE("Dead time aside gives the multipliers and windows of the matrix that 
                 const LoopTiming timing{1e-3, ticks * 1e-3, tau, 2, false};
                 const LoopGains base{0, 300, integrates ? 2e4 : 0, 0}, turned{1, 0, 0, 0};
                 const auto whole = sampled_loop(plant, timing, base, turned);
-                const auto aside = late_sampled_loop({plant, {}, {}}, timing, 0, base, turned);
+                const auto aside = delayed_sampled_loop({plant, {}, {}}, timing, 0, base, turned);
                 REQUIRE(aside);
                 INFO("ticks " << ticks << " tau " << tau << " integral " << integrates);
                 for (const double k_p : {100.0, 3e3, 6e4}) {
                     const double growth = sampled_growth(whole, k_p);
-                    CHECK(late_growth(*aside, k_p) == Approx(growth).epsilon(1e-9));
+                    CHECK(delayed_growth(*aside, k_p) == Approx(growth).epsilon(1e-9));
                 }
                 const auto circle = circle_crossings(whole);
                 auto axis = axis_crossings(*aside);
@@ -131,12 +131,12 @@ TEST_CASE("Behind a second of dead time a joint grows as without its loop")
     const auto plant = mass_with_memory(1);
     const double alone = plant.A.eigenvalues().real().maxCoeff();
     REQUIRE(alone > 10);
-    const auto loop = late_sampled_loop({plant, {}, {}}, {1e-3, 1, 0, 1, false}, 0, {}, {6e4, 10, 0, 0});
+    const auto loop = delayed_sampled_loop({plant, {}, {}}, {1e-3, 1, 0, 1, false}, 0, {}, {6e4, 10, 0, 0});
     REQUIRE(loop);
-    CHECK(late_growth(*loop, 1) == Approx(alone).epsilon(1e-8));
+    CHECK(delayed_growth(*loop, 1) == Approx(alone).epsilon(1e-8));
 }
 
-TEST_CASE("A sampled loop around friction that answers late grows as its motion does")
+TEST_CASE("A sampled loop around friction that is delayed grows as its motion does")
 {
     std::size_t windows = 0;
     struct Case {
@@ -195,12 +195,12 @@ TEST_CASE("Real loops around late friction and with long dead time answer forces
     Joint joint = lagging(-30, 5e-3, 4e4, 120);
     joint.control.period = not_set;
     joint.control.delay = 1e-3;
-    const auto late = LoopResponse::of(joint, Theory::state_variable);
-    REQUIRE(late);
+    const auto delayed = LoopResponse::of(joint, Theory::state_variable);
+    REQUIRE(delayed);
     for (const double omega : {3.0, 150.0, 900.0}) {
         const std::complex<double> s(0, omega);
         const auto F = s * s + (4e4 + 120.0 * s) * std::exp(-s * 1e-3) - 30.0 * s * std::exp(-s * 5e-3);
-        CHECK(std::abs(late->at(omega) * F - 1.0) < 1e-11);
+        CHECK(std::abs(delayed->at(omega) * F - 1.0) < 1e-11);
     }
     // the same loop with as many ticks of dead time as a matrix holds, and with one more
     joint = lagging(-30, 5e-3, 200, 30);
@@ -250,8 +250,8 @@ TEST_CASE("No window contains a gain that grows, however short the dead time")
     fed.B = Eigen::Vector2d(0, 1);
     fed.C = Eigen::RowVector2d(1, 0);
     fed.C_v = Eigen::RowVector2d(0, 1);
-    const auto loop = late_loop({fed, {}, {}}, 1e-9, 0, 0, {}, {1, 0, 0, 0});
-    REQUIRE(late_growth(loop, 1e3) == Approx(0.25).epsilon(1e-3));
+    const auto loop = delayed_loop({fed, {}, {}}, 1e-9, 0, 0, {}, {1, 0, 0, 0});
+    REQUIRE(delayed_growth(loop, 1e3) == Approx(0.25).epsilon(1e-3));
     auto crossings = axis_crossings(loop);
     REQUIRE(crossings.crossings.size() > 12);
     CHECK(stable_gains(loop, crossings, 1e3).empty());
@@ -276,8 +276,8 @@ TEST_CASE("What is added to a command of a sampled loop around late friction is 
         before = x;
         at_ticks.push_back(x), commands.push_back(u);
         for (int i = 0; i < parts; ++i) {
-            const double late = 0.5 * (past[lag_parts] + past[lag_parts - 1]);
-            const double next = v + h * (u - slope * late);
+            const double delayed = 0.5 * (past[lag_parts] + past[lag_parts - 1]);
+            const double next = v + h * (u - slope * delayed);
             x += 0.5 * h * (v + next);
             v = next;
             past.push_front(v), past.pop_back();

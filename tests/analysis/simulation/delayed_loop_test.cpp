@@ -1,4 +1,4 @@
-// Friction that answers late in a sampled loop: windows of the linear theory from both sides, and cycles and records of
+// Delayed friction in a sampled loop: windows of the linear theory from both sides, and cycles and records of
 // an integrator of another kind, which is written out here.
 #include <catch2/catch.hpp>
 
@@ -25,7 +25,7 @@ Stribeck falling_curve()
     return curve;
 }
 
-Joint late_joint(double k_p, double delay, double late = lag)
+Joint delayed_joint(double k_p, double delay, double delayed = lag)
 {
     Joint joint;
     joint.mechanism.inertia = inertia;
@@ -33,7 +33,7 @@ Joint late_joint(double k_p, double delay, double late = lag)
     joint.control.period = T, joint.control.delay = delay;
     joint.control.velocity_estimate.form = EstimateForm::backward_difference;
     TimeLag law;
-    law.lag = late;
+    law.lag = delayed;
     law.curve.law = falling_curve();
     joint.friction.law = law;
     return joint;
@@ -105,11 +105,13 @@ double amplitude_by_small_steps(double k_p, int dead_ticks, double seconds)
 TEST_CASE("late friction in a sampled loop: outcomes on both sides of the ends of its windows", "[sampled][late][slow]")
 {
     for (const double delay : {0.0, 1e-3}) {
-        const auto windows = linear_verdict(late_joint(2e4, delay, 20e-3)).state_variable.stable_intervals;
+        const auto windows = linear_verdict(delayed_joint(2e4, delay, 20e-3)).state_variable.stable_intervals;
         REQUIRE(!windows.empty());
         LoopQuestion question;
         question.region = false;
-        const auto kind = [&](double k_p) { return loop_verdict(late_joint(k_p, delay, 20e-3), question).stated.kind; };
+        const auto kind = [&](double k_p) {
+            return loop_verdict(delayed_joint(k_p, delay, 20e-3), question).stated.kind;
+        };
         const auto& window = windows.front();
         CAPTURE(delay, window.low, window.high);
         CHECK(kind(window.low * 0.97) != LoopEnd::Kind::steady);
@@ -122,7 +124,7 @@ TEST_CASE("late friction in a sampled loop: outcomes on both sides of the ends o
 TEST_CASE("late friction in a sampled loop: its cycle is that of small steps", "[sampled][late]")
 {
     for (const int dead : {0, 1}) {
-        const auto verdict = loop_verdict(late_joint(6e4, dead * T), {});
+        const auto verdict = loop_verdict(delayed_joint(6e4, dead * T), {});
         REQUIRE(verdict.cycle.oscillates());
         CAPTURE(dead, verdict.cycle.period, verdict.cycle.stick_fraction);
         CHECK(verdict.cycle.amplitude == Approx(amplitude_by_small_steps(6e4, dead, 4)).epsilon(3e-3));
@@ -132,7 +134,7 @@ TEST_CASE("late friction in a sampled loop: its cycle is that of small steps", "
 TEST_CASE("late friction in a sampled loop: a small disturbance grows in the motion as the theory says",
           "[sampled][late]")
 {
-    const Joint joint = late_joint(9e4, 1e-3);
+    const Joint joint = delayed_joint(9e4, 1e-3);
     const auto linear = linear_verdict(joint).state_variable;
     REQUIRE(linear.spectral_abscissa > 0);
     SimulateOptions options;

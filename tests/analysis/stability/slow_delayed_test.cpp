@@ -1,4 +1,4 @@
-// Friction that answers late is all the damping of a mass in a sampled loop: slow roots beside the integrator.
+// Delayed friction is all the damping of a mass in a sampled loop: slow roots beside the integrator.
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
@@ -16,7 +16,7 @@ constexpr double period = 1.55e-3;
 constexpr int steps_per_tick = 64, lag_steps = 355;  // of the integration below; the friction is 8.6 ms late
 
 /// Joint 2234 of the consistency run, to three digits.
-Joint mass_with_late_damping()
+Joint mass_with_delayed_damping()
 {
     Joint j;
     j.mechanism.motion = Motion::prismatic;
@@ -27,12 +27,12 @@ Joint mass_with_late_damping()
     j.control.velocity_estimate.tau = 1.35e-4;
     j.actuator.lag = 3.73e-3, j.actuator.effort_gain = 0.757;
     j.sensor.position_scale = 0.137;
-    TimeLag late;
-    late.lag = lag_steps * period / steps_per_tick;
+    TimeLag delayed;
+    delayed.lag = lag_steps * period / steps_per_tick;
     CoulombViscous friction;
     friction.coulomb = 1, friction.viscous = 0.345;
-    late.curve.law = friction;
-    j.friction.law = late;
+    delayed.curve.law = friction;
+    j.friction.law = delayed;
     return j;
 }
 
@@ -41,7 +41,7 @@ RealLoop loop_of(const Joint& joint)
     const double velocity = sliding_velocity(joint, commanded_velocity(joint));
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::k_p);
     REQUIRE(loop);
-    REQUIRE(std::holds_alternative<LateLoop>(loop->loop));
+    REQUIRE(std::holds_alternative<DelayedLoop>(loop->loop));
     return *loop;
 }
 
@@ -61,9 +61,9 @@ double stepped_growth(const Joint& j)
         before = y[0];
         command = -(j.control.k_p * scale * y[0] + j.control.k_v * filtered);
         for (int i = 0; i < steps_per_tick; ++i) {
-            const std::size_t late = velocity.size() - 1 - lag_steps;
+            const std::size_t delayed = velocity.size() - 1 - lag_steps;
             const auto rate = [&](const State& at, double share) {
-                const double v = (1 - share) * velocity[late] + share * velocity[late + 1];
+                const double v = (1 - share) * velocity[delayed] + share * velocity[delayed + 1];
                 return State{at[1], (j.actuator.effort_gain * at[2] - viscous * v) / j.mechanism.inertia,
                              (command - at[2]) / j.actuator.lag};
             };
@@ -86,10 +86,11 @@ double stepped_growth(const Joint& j)
 TEST_CASE("the growth of slow roots beside late damping is found at every gain, and its side by counts agrees",
           "[stability][late][slow]")
 {
-    const auto loop = loop_of(mass_with_late_damping());
-    const auto& late = std::get<LateLoop>(loop.loop);
+    const auto loop = loop_of(mass_with_delayed_damping());
+    const auto& delayed = std::get<DelayedLoop>(loop.loop);
     for (double share = 1e-4; share < 3; share *= 1.1) {
-        const double growth = late_growth(late, share * loop.gain), side = late_side(late, share * loop.gain);
+        const double growth = delayed_growth(delayed, share * loop.gain),
+                     side = delayed_side(delayed, share * loop.gain);
         INFO("k_p " << share * loop.gain << " growth " << growth << " side " << side);
         CHECK(std::isfinite(growth));
         CHECK((growth < 0) == (side < 0));
@@ -98,7 +99,7 @@ TEST_CASE("the growth of slow roots beside late damping is found at every gain, 
 
 TEST_CASE("gains that only late friction damps have their window", "[stability][late]")
 {
-    auto joint = mass_with_late_damping();
+    auto joint = mass_with_delayed_damping();
     const auto gains = turned_gains(loop_of(joint));
     REQUIRE(gains.stable.size() == 1);
     CHECK(gains.stable[0].low == 0);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "analysis/simulation/attractor/growth.h"
-#include "analysis/simulation/flows/late_flow.h"
+#include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/simulation/solvers/motion.h"
 #include "analysis/stability/joint_spectrum.h"
 
@@ -23,7 +23,7 @@ FlowVector longer_by_clock(const FlowVector& y)
 }
 
 /// The mode as the chain without the clock sees it.
-SlowMode of_chain(const LateFlow& flow, const SlowMode& mode)
+SlowMode of_chain(const DelayedFlow& flow, const SlowMode& mode)
 {
     SlowMode shorter = mode;
     const auto n = flow.chain().size();
@@ -37,7 +37,7 @@ SlowMode of_chain(const LateFlow& flow, const SlowMode& mode)
 /// forward sliding. With l the left null vector of sI − A_0 − Σ A_i e^{−sτ_i}, z = l·X + Σ ∫ e^{−s(ξ+τ_i−t)} l·A_i X(ξ)
 /// dξ over the last lags obeys z' = s z exactly, whatever the endless other modes do (J. K. Hale, Theory of Functional
 /// Differential Equations, 7.3). Motions from both sides of steady sliding cancel the even powers of the disturbance.
-double growth_at(double rtol, const LateFlow& flow, const SlowMode& mode, const FlowVector& offset)
+double growth_at(double rtol, const DelayedFlow& flow, const SlowMode& mode, const FlowVector& offset)
 {
     const double window = mode.window();
     std::complex<double> difference = 0;
@@ -48,12 +48,12 @@ double growth_at(double rtol, const LateFlow& flow, const SlowMode& mode, const 
             const Turn turn = motion.turn(window);
             if (turn.sticks > 0 || (turn.end != Turn::End::crossing && turn.end != Turn::End::time)) return missing;
         }
-        const auto& past = static_cast<const LateFlow&>(motion.flow());
+        const auto& past = static_cast<const DelayedFlow&>(motion.flow());
         const FlowVector& y = motion.state();
         std::complex<double> z = (mode.left.transpose() * (y - mode.steady).cast<std::complex<double>>())(0);
         for (int i = 0; i < flow.chain().bodies; ++i)
             if (flow.lag(i) > 0)
-                z += mode.left[flow.chain().bodies + i] * flow.late_rate(i) *
+                z += mode.left[flow.chain().bodies + i] * flow.delayed_rate(i) *
                      past.history(i).memory(mode.s, flow.lag(i), past.clock(y));
         difference += side * z;
     }
@@ -62,7 +62,7 @@ double growth_at(double rtol, const LateFlow& flow, const SlowMode& mode, const 
 
 }  // namespace
 
-SlowMode slow_mode(const LateFlow& flow)
+SlowMode slow_mode(const DelayedFlow& flow)
 {
     using Complex = std::complex<double>;
     const auto& chain = flow.chain();
@@ -80,7 +80,8 @@ SlowMode slow_mode(const LateFlow& flow)
     Eigen::MatrixXcd characteristic = mode.s * Eigen::MatrixXcd::Identity(n, n) - J.cast<Complex>();
     for (int i = 0; i < chain.bodies; ++i)
         if (flow.lag(i) > 0)
-            characteristic(chain.bodies + i, chain.bodies + i) -= flow.late_rate(i) * std::exp(-mode.s * flow.lag(i));
+            characteristic(chain.bodies + i, chain.bodies + i) -=
+                flow.delayed_rate(i) * std::exp(-mode.s * flow.lag(i));
     const Eigen::VectorXcd scale = chain.scale().cast<Complex>();
     const Eigen::MatrixXcd scaled = scale.cwiseInverse().asDiagonal() * characteristic * scale.asDiagonal();
     const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -91,12 +92,12 @@ SlowMode slow_mode(const LateFlow& flow)
     return mode;
 }
 
-double default_size(const LateFlow& flow, const SlowMode& mode, DisturbanceKind kind)
+double default_size(const DelayedFlow& flow, const SlowMode& mode, DisturbanceKind kind)
 {
     return default_size(flow.chain(), mode, kind);
 }
 
-FlowVector disturbed(const LateFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size)
+FlowVector disturbed(const DelayedFlow& flow, const SlowMode& mode, DisturbanceKind kind, double size)
 {
     const auto& chain = flow.chain();
     const bool one = chain.bodies == 1;
@@ -105,14 +106,14 @@ FlowVector disturbed(const LateFlow& flow, const SlowMode& mode, DisturbanceKind
     return longer_by_clock(disturbed(chain, of_chain(flow, mode), kind, size));
 }
 
-void push(const LateFlow& flow, FlowVector& y, double impulse)
+void push(const DelayedFlow& flow, FlowVector& y, double impulse)
 {
     FlowVector of_chain = y.head(flow.chain().size());
     push(flow.chain(), of_chain, impulse);
     y.head(flow.chain().size()) = of_chain;
 }
 
-double measure_growth(const LateFlow& flow, const SlowMode& mode, const FlowVector& probe)
+double measure_growth(const DelayedFlow& flow, const SlowMode& mode, const FlowVector& probe)
 {
     const FlowVector offset = probe * (probe_size / size_of(flow, mode, probe));
     const double coarse = growth_at(coarse_tolerance, flow, mode, offset);

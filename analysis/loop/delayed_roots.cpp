@@ -1,8 +1,8 @@
-// The roots of a late loop, and the rightmost of them.
+// The roots of a delayed loop, and the rightmost of them.
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/loop/late_count.h"
+#include "analysis/loop/root_count.h"
 #include "analysis/loop/root_search.h"
 #include "analysis/numerics/eigenvalues.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-bool has_matrix(const LateLoop& loop)
+bool has_matrix(const DelayedLoop& loop)
 {
     return loop.period == 0 && loop.friction.empty();
 }
@@ -24,7 +24,7 @@ void sort_by_real_part(std::vector<Complex>& roots)
 
 /// Whether no root lies further right than this one of the size |s|, by more than what the count resolves: beside slow
 /// roots of fast loops rounding takes its digits.
-bool is_rightmost(const LateLoop& loop, double gain, double real, double size)
+bool is_rightmost(const DelayedLoop& loop, double gain, double real, double size)
 {
     const OpenedLoop open(loop);
     for (const double share : {1e-7, 1e-5, 1e-3}) {
@@ -41,19 +41,19 @@ double cleared(double real, double size)
     return std::abs(real) < rounding * size ? 0 : real;
 }
 
-LateSpectrum spectrum_by_lines(const LateLoop& loop, double gain)
+DelayedSpectrum spectrum_by_lines(const DelayedLoop& loop, double gain)
 {
     if (!loop.A.allFinite()) return {};
     const OpenedLoop open(loop);
     RootSearch search(open, gain);
     const auto edge = search.edge();  // the lines of look_around() may all lie left of it
     search.look_around();
-    LateSpectrum found{search.all(), edge ? cleared(edge->real(), std::abs(*edge)) : not_set};
+    DelayedSpectrum found{search.all(), edge ? cleared(edge->real(), std::abs(*edge)) : not_set};
     sort_by_real_part(found.roots);
     return found;
 }
 
-LateSpectrum spectrum_by_matrix(const LateLoop& loop, double gain)
+DelayedSpectrum spectrum_by_matrix(const DelayedLoop& loop, double gain)
 {
     constexpr int nodes = 32;
     // where dead time is short, its nodes lose the digits of slow roots, and without dead time these are near
@@ -69,7 +69,7 @@ LateSpectrum spectrum_by_matrix(const LateLoop& loop, double gain)
             found.push_back(s && std::abs(*s - start) < 1e-6 * std::abs(start) ? *s : start);
         }
     } else {
-        starts = eigenvalues_of(late_matrix(loop, gain, nodes));
+        starts = eigenvalues_of(delayed_matrix(loop, gain, nodes));
         raw.insert(raw.end(), starts.begin(), starts.end());
         for (const Complex start : raw) {
             const auto s = polished_root(open, gain, start, 1e-15 * size);
@@ -95,17 +95,17 @@ LateSpectrum spectrum_by_matrix(const LateLoop& loop, double gain)
 
 }  // namespace
 
-LateSpectrum late_spectrum(const LateLoop& loop, double gain)
+DelayedSpectrum delayed_spectrum(const DelayedLoop& loop, double gain)
 {
     return has_matrix(loop) ? spectrum_by_matrix(loop, gain) : spectrum_by_lines(loop, gain);
 }
 
-std::vector<Complex> roots(const LateLoop& loop, double gain)
+std::vector<Complex> roots(const DelayedLoop& loop, double gain)
 {
-    return late_spectrum(loop, gain).roots;
+    return delayed_spectrum(loop, gain).roots;
 }
 
-std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
+std::optional<Complex> rightmost_root(const DelayedLoop& loop, double gain)
 {
     if (!loop.A.allFinite()) return std::nullopt;
     const OpenedLoop open(loop);
@@ -117,14 +117,14 @@ std::optional<Complex> rightmost_root(const LateLoop& loop, double gain)
     return RootSearch(open, gain).edge();
 }
 
-double late_growth(const LateLoop& loop, double gain)
+double delayed_growth(const DelayedLoop& loop, double gain)
 {
     if (has_matrix(loop)) return spectrum_by_matrix(loop, gain).growth;
     const auto edge = rightmost_root(loop, gain);
     return edge ? cleared(edge->real(), std::abs(*edge)) : not_set;
 }
 
-double late_side(const LateLoop& loop, double gain)
+double delayed_side(const DelayedLoop& loop, double gain)
 {
     if (!loop.A.allFinite()) return not_set;
     const OpenedLoop open(loop);
@@ -139,7 +139,7 @@ double late_side(const LateLoop& loop, double gain)
     // a place that takes thousands of aliases is one of friction that grows many times over within a tick: a search for
     // the root takes seconds there and ends without one (a falling curve of 7 kN·s/m on 1 kg, ticks of 10 ms)
     constexpr double hopeless = 300;
-    return open.cost() > hopeless ? not_set : late_growth(loop, gain);
+    return open.cost() > hopeless ? not_set : delayed_growth(loop, gain);
 }
 
 }  // namespace stickslip

@@ -26,10 +26,9 @@ def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pan
     path = Path(file)
     if not path.exists():
         raise StickslipError(f"{path}: there is no such file")
+    reader: Callable[..., "pandas.DataFrame"] | None = _BY_SUFFIX.get(path.suffix.lower())
     if path.is_dir():
         reader = ros2_bag.read_folder if ros2_bag.is_bag(path) else sage.read
-    else:
-        reader = _BY_SUFFIX.get(path.suffix.lower())
     if reader is None and path.name.lower().endswith((".csv", ".csv.gz")):
         import pandas
 

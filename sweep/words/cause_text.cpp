@@ -154,8 +154,9 @@ std::string wave_numbers(const std::string& effect, Joint before, Joint after)
         const auto at = p.path.find(wave->second);
         const double* was = find_parameter(before, p.path);
         if (at == std::string::npos || (was && *was == *p.value) || p.path.ends_with("phase")) continue;
-        text += (text.empty() ? "" : ", ") + p.path.substr(at + wave->second.size()) + " " +
-                with_unit(*p.value, p.quantity, units_of(after), 4);
+        std::string name = p.path.substr(at + wave->second.size());
+        std::ranges::replace(name, '_', ' ');  // of the second harmonic
+        text += (text.empty() ? "" : ", ") + name + " " + with_unit(*p.value, p.quantity, units_of(after), 4);
     }
     return text;
 }

@@ -291,6 +291,11 @@ TEST_CASE("a cause is said in words, with the numbers as a joint file states the
     before.control.k_p = 2e4, after.control.k_p = 1e4;
     CHECK(cause_text(c, before, after) ==
           "The position gain in the controller is not the documented one: 10 kN/m instead of 20 kN/m.");
+    c.names = {"cogging"}, c.parameters = {{"cogging.sine", 4, 0.1, "N"}};
+    auto& wave = after.load.cogging;
+    wave.amplitude = 4, wave.periods = 100, wave.second_amplitude = 2, wave.second_phase = 1;
+    CHECK_THAT(cause_text(c, before, after),
+               Catch::EndsWith(": amplitude 4 N, periods 100 1/m, second amplitude 2 N."));
 }
 
 TEST_CASE("the drawing of where says every stage, judged or not, and every regime", "[report]")

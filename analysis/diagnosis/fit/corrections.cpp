@@ -162,7 +162,7 @@ bool Corrections::is_usual(const Candidate& causes, const Eigen::VectorXd& x, co
     return true;
 }
 
-bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) const
+std::optional<std::size_t> Corrections::one_of(const Candidate& causes, const Eigen::VectorXd& x) const
 {
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < causes.effects.size(); ++i) {
@@ -170,12 +170,12 @@ bool Corrections::is_one(const Candidate& causes, const Eigen::VectorXd& x) cons
         const bool same = same_number(*causes.effects[i], *causes.forms[i]);
         for (std::size_t k = 0; k < effects_.size(); ++k) {
             if (causes.effects[i]->name != effects_[k].name) continue;
-            if (same && x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k][0]) return true;
-            if (is_small_term(effects_[k]) && is_usual(causes, x, *causes.effects[i])) return true;
+            if (same && x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k][0]) return i;
+            if (is_small_term(effects_[k]) && is_usual(causes, x, *causes.effects[i])) return i;
         }
         at += count;
     }
-    return false;
+    return std::nullopt;
 }
 
 Eigen::VectorXd Corrections::start(const Corrected& to, const Corrected& from, const Eigen::VectorXd& corrections,

@@ -6,6 +6,7 @@
 #include "analysis/diagnosis/policy/rules.h"
 
 #include <deque>
+#include <optional>
 
 namespace stickslip::gap {
 
@@ -37,9 +38,9 @@ class Corrections {
     static Corrected but(Corrected all, std::size_t correction);
     /// Whether a cause is one of the small terms that every machine has, and no larger than they are.
     bool is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const;
-    /// Whether one of the causes changes a number that a correction changes, or is a small term that is one, and is no
-    /// larger than its prior allows: then it is that correction, held back by nothing.
-    bool is_one(const Candidate& causes, const Eigen::VectorXd& x) const;
+    /// Which of the causes changes a number that a correction changes, or is a small term that is one, and is no larger
+    /// than its prior allows, if one is: then it is that correction, held back by nothing.
+    std::optional<std::size_t> one_of(const Candidate& causes, const Eigen::VectorXd& x) const;
     /// How far a correction with numbers from `at` on is from the document, in standard deviations of its prior: of a
     /// wave its amplitude, wherever it lies.
     static double deviations(const Candidate& candidate, std::size_t correction, std::size_t at,

@@ -118,16 +118,50 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
     return finished(std::move(set));
 }
 
+FittedSet LadderSearch::nearest_of(const std::vector<FittedSet>& tried, const FittedSet& next)
+{
+    std::vector<FittedSet> rivals{next};
+    for (const auto& t : tried)
+        if (&t != &next && t.plausible && !t.correction && t.causes.effects.size() == next.causes.effects.size() &&
+            t.misfit < next.misfit + margin_of(next, rules_))
+            rivals.push_back(t);
+    lower_floor(next.model, next.fit.x);
+    return climber_->compared(rivals);
+}
+
+FittedSet LadderSearch::in_best_forms(FittedSet found)
+{
+    const auto forms = found.causes.forms;
+    found = climber_->flexed(climber_->reformed(std::move(found)));
+    return found.causes.forms == forms ? found : settled(std::move(found));
+}
+
+FittedSet LadderSearch::without_idle(FittedSet set) const
+{
+    for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
+        FittedSet less = climber_->without(set, i);
+        if (earns(less, set, rules_))
+            ++i;
+        else
+            set = std::move(less), i = 0;
+    }
+    return set;
+}
+
+FittedSet LadderSearch::with_an_exchange(FittedSet set)
+{
+    if (set.causes.effects.size() < 2) return set;
+    const auto others = climber_->exchanged(set);
+    const auto better = std::ranges::find_if(
+        others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
+    return better == others.end() ? set : in_best_forms(settled(*better));
+}
+
 FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs,
                                 const OnlyNoise& only_noise)
 {
     FittedSet set = corrected_;
     const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
-    const auto in_best_forms = [&](FittedSet found) {
-        const auto forms = found.causes.forms;
-        found = climber_->flexed(climber_->reformed(std::move(found)));
-        return found.causes.forms == forms ? found : settled(std::move(found));
-    };
     const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
     for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
         const bool at_start = set.causes.effects.empty();
@@ -144,30 +178,14 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         const auto next = earning();
-        if (next == tried.end()) break;
-        std::vector<FittedSet> rivals{*next};
-        for (const auto& t : tried)
-            if (&t != &*next && t.plausible && !t.correction &&
-                t.causes.effects.size() == next->causes.effects.size() &&
-                t.misfit < next->misfit + margin_of(*next, rules_))
-                rivals.push_back(t);
-        set = rivals[0];
-        lower_floor(set.model, set.fit.x);
-        set = in_best_forms(climber_->compared(rivals));
-        // exchange: a cause that only stood in for what came later goes, and makes room
-        for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
-            FittedSet less = climber_->without(set, i);
-            if (earns(less, set, rules_))
-                ++i;
-            else
-                set = std::move(less), i = 0;
-        }
-        if (set.causes.effects.size() < 2) continue;
-        const auto others = climber_->exchanged(set);
-        const auto better = std::ranges::find_if(
-            others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
-        if (better == others.end()) continue;
-        set = in_best_forms(settled(*better));
+        const auto other = climber_->without_correction(set, tried);
+        if (other && (next == tried.end() || other->misfit < next->misfit))
+            set = in_best_forms(settled(*other));
+        else if (next != tried.end())
+            set = in_best_forms(nearest_of(tried, *next));
+        else
+            break;
+        set = with_an_exchange(without_idle(std::move(set)));
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return set;

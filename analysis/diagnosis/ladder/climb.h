@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace stickslip::gap {
 
@@ -19,7 +20,8 @@ struct FittedSet {
     std::array<Eigen::VectorXd, HeldOutData::folds> x;  ///< without each fold
     std::array<std::vector<Window>, HeldOutData::folds> left;
     bool plausible = true;
-    bool correction = false;   ///< one of the causes is no larger than a correction of the same number
+    /// Which of the causes is no larger than a correction of the same number, if one is.
+    std::optional<std::size_t> correction;
     double misfit = infinity;  ///< held-out mean log square, with what the priors and the number of parameters cost
 
     std::vector<Window> all_left() const;
@@ -36,13 +38,20 @@ struct FarNumber {
     std::vector<Window> as_documented;  ///< what is left with the number as it stands there, all others refitted
 };
 
+/// A set that was tried in the place of a rung.
+struct Rival : FittedSet {
+    Rival(FittedSet set) : FittedSet(std::move(set)) {}
+    /// Misfit of the last rung with this one's cause in the place of the rung's own, where that was fitted.
+    std::optional<double> in_the_last;
+};
+
 struct Ladder {
     std::shared_ptr<const Corrections> corrections;  ///< the models point at its effects
     std::vector<Window> documented;                  ///< what the joint leaves as the document describes it
     FittedSet corrected;                             ///< the corrections alone
     std::vector<FittedSet> rungs;                    ///< the first cause, the first two, …
     /// Of every rung the other causes that were tried in its place, best first.
-    std::vector<std::vector<FittedSet>> rivals;
+    std::vector<std::vector<Rival>> rivals;
     /// The corrections that go with the last rung, alone.
     std::vector<Window> corrected_as_last;
 
@@ -91,6 +100,13 @@ class LadderSearch {
 
   private:
     void begin();
+    /// Those that a rung could as well be, compared at the floor that the first of them leaves.
+    FittedSet nearest_of(const std::vector<FittedSet>& tried, const FittedSet& next);
+    FittedSet in_best_forms(FittedSet found);
+    /// Without the causes that earn nothing beside what came after them.
+    FittedSet without_idle(FittedSet set) const;
+    /// With a cause exchanged for another, if that comes nearer.
+    FittedSet with_an_exchange(FittedSet set);
     FittedSet climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise);
     void correct(FittedSet& set);
     void find_small_terms(std::vector<Start>& looks);
@@ -101,6 +117,8 @@ class LadderSearch {
     FittedSet settled(FittedSet set);
     Ladder finished(FittedSet set);
     void correct_alone(Ladder& ladder) const;
+    /// What is near to a lower rung alone may be out of the question beside the rungs on top of it.
+    void try_rivals_in_the_last(Ladder& ladder) const;
 
     const Scales& scales_;
     const LadderRules& rules_;

@@ -34,14 +34,16 @@ Ladder LadderSearch::finished(FittedSet set)
     ladder.corrected = corrected_;
     if (set.causes.effects.empty()) {
         ladder.corrected_as_last = corrected_.all_left();
-        ladder.rivals.push_back(first_);
+        ladder.rivals.emplace_back(first_.begin(), first_.end());
         return ladder;
     }
     ladder.rungs = climber_->in_order(std::move(set));
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
         const Candidate below = i > 0 ? ladder.rungs[i - 1].causes : Candidate{};
-        ladder.rivals.push_back(climber_->in_place_of(ladder.rungs[i], below));
+        const auto others = climber_->in_place_of(ladder.rungs[i], below);
+        ladder.rivals.emplace_back(others.begin(), others.end());
     }
+    try_rivals_in_the_last(ladder);
     correct_alone(ladder);
     return ladder;
 }
@@ -57,15 +59,29 @@ bool LadderSearch::usually_off() const
 
 std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
 {
-    std::vector<FarNumber> far;
     const FittedSet& last = ladder.last();
     const Candidate& c = last.model.candidate;
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++])) {
-        // what differs from record to record is no number of the document
-        if (c.forms[i]->own > 0 || Corrections::deviations(c, i, at, last.fit.x) < rules_.far_off) continue;
-        far.push_back({c.effects[i], fitter_->fit_without(last, i).all_left()});
-    }
+    struct Off {
+        std::size_t correction;
+        double deviations;
+        bool of_document;  ///< and no small term of every machine
+    };
+    std::vector<Off> off;
+    for (std::size_t i = 0, at = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++]))
+        if (c.forms[i]->own == 0)  // what differs from record to record is no number of the document
+            off.push_back(
+                {i, Corrections::deviations(c, i, at, last.fit.x), !Corrections::is_small_term(*c.effects[i])});
+    // one document has errors of one size: beside causes a number has to be much further off than all others
+    const auto one_of_many = [&](const Off& number) {
+        return !ladder.rungs.empty() && number.of_document && std::ranges::any_of(off, [&](const Off& other) {
+            return other.of_document && other.correction != number.correction &&
+                   number.deviations < rules_.beyond_the_others * other.deviations;
+        });
+    };
+    std::vector<FarNumber> far;
+    for (const Off& number : off)
+        if (number.deviations >= rules_.far_off && !one_of_many(number))
+            far.push_back({c.effects[number.correction], fitter_->fit_without(last, number.correction).all_left()});
     return far;
 }
 
@@ -77,7 +93,22 @@ void LadderSearch::shorten(Ladder& ladder) const
         return;
     }
     ladder.rivals.pop_back();
+    try_rivals_in_the_last(ladder);
     correct_alone(ladder);
+}
+
+void LadderSearch::try_rivals_in_the_last(Ladder& ladder) const
+{
+    constexpr std::size_t most = 3;  // of each rung, the nearest
+    for (std::size_t i = 0; i + 1 < ladder.rungs.size(); ++i) {
+        const FittedSet& rung = ladder.rungs[i];
+        auto& rivals = ladder.rivals[i];
+        for (std::size_t k = 0; k < std::min(most, rivals.size()); ++k) {
+            rivals[k].in_the_last.reset();
+            if (rivals[k].misfit < rung.misfit + out_of_question * margin_of(rung, rules_))
+                rivals[k].in_the_last = climber_->misfit_in(ladder.last(), rung.causes, rivals[k]);
+        }
+    }
 }
 
 /// The corrections that belong to the whole set, alone.

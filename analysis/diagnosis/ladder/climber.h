@@ -16,6 +16,8 @@ namespace stickslip::gap {
 /// could not be a rung cannot be the cause in its place either.
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below);
 
+inline constexpr double out_of_question = 4;  // margins, at which odds are 0.02
+
 class Climber {
   public:
     Climber(const std::vector<Attribution>& singles, SetFitter& fitter, const LadderRules& rules,
@@ -44,6 +46,11 @@ class Climber {
     /// beside others, or alone, need not be what belongs beside these.
     std::vector<FittedSet> exchanged(const FittedSet& set);
 
+    /// Of sets that were tried on top of one the best, without that of its causes which is a correction, if it so comes
+    /// nearer than the one below: a cause that only stood in for what was tried now shrinks to an error of the
+    /// document.
+    std::optional<FittedSet> without_correction(const FittedSet& below, const std::vector<FittedSet>& tried);
+
     /// The set with those of its corrections as causes that stand at the bound of what a document is off: held back,
     /// they bend what is fitted with them.
     FittedSet freed(FittedSet set);
@@ -68,6 +75,10 @@ class Climber {
     /// the place of a cause does without the cause's number: one that leaves it to a correction says that the cause
     /// acts, too.
     std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const;
+
+    /// Misfit of a set with the causes of a rival in the place of those of one of its rungs; infinite where it cannot
+    /// be a rung, nothing where the set has them already.
+    std::optional<double> misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival);
 
   private:
     /// The causes but one, with the numbers that they have in the set.

@@ -59,6 +59,18 @@ std::vector<FittedSet> Climber::exchanged(const FittedSet& set)
     return judged(starts);
 }
 
+std::optional<FittedSet> Climber::without_correction(const FittedSet& below, const std::vector<FittedSet>& tried)
+{
+    const auto with = std::ranges::find_if(tried, [&](const FittedSet& t) {
+        return t.plausible && t.correction && t.causes.effects.size() > 1 && earns(below, t, rules_);
+    });
+    if (with == tried.end()) return std::nullopt;
+    FittedSet less = without(*with, *with->correction);
+    if (!less.plausible || less.correction || !(less.misfit < below.misfit)) return std::nullopt;
+    pool_.push_back(less);
+    return less;
+}
+
 FittedSet Climber::freed(FittedSet set)
 {
     for (std::size_t i = 0, at = 0; i < set.model.corrections;) {

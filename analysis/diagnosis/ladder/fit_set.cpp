@@ -158,7 +158,7 @@ FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFi
         set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
     }
     set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
-    set.correction = corrections_.is_one(causes, set.of_causes(set.fit.x));
+    set.correction = corrections_.one_of(causes, set.of_causes(set.fit.x));
     set.misfit =
         mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
         policy::price_of_parameter * static_cast<double>(causes.effects.empty() ? 0 : causes.parameter_count());

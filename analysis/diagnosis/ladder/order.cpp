@@ -32,7 +32,6 @@ std::vector<FittedSet> Climber::in_order(FittedSet set) const
 
 std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidate& below) const
 {
-    constexpr double out_of_question = 4;  // margins, at which odds are 0.02
     std::vector<FittedSet> others;
     for (const auto& other : pool_) {
         const auto& in = other.causes.effects;
@@ -52,6 +51,37 @@ std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidat
     });
     std::ranges::stable_sort(others, {}, &FittedSet::misfit);
     return others;
+}
+
+std::optional<double> Climber::misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival)
+{
+    const auto holds = [](const Candidate& c, const Effect* e) { return std::ranges::count(c.effects, e) > 0; };
+    Start exchanged;
+    exchanged.causes.records = last.causes.records;
+    Eigen::VectorXd x;
+    const auto take = [&](const FittedSet& from, auto&& wanted) {
+        const Eigen::VectorXd own = from.of_causes(from.fit.x);
+        Eigen::Index at = 0;
+        for (std::size_t i = 0; i < from.causes.effects.size(); ++i) {
+            const auto count = static_cast<Eigen::Index>(from.causes.count_of(*from.causes.forms[i]));
+            if (wanted(from.causes.effects[i]))
+                x = insert(exchanged.causes, from.causes.effects[i], from.causes.forms[i], x, own.segment(at, count));
+            at += count;
+        }
+    };
+    take(last, [&](const Effect* e) { return !holds(rung, e) || holds(rival.causes, e); });
+    const std::size_t others = exchanged.causes.effects.size();
+    take(rival, [&](const Effect* e) { return !holds(rung, e) && !holds(last.causes, e); });
+    if (exchanged.causes.effects.size() == others) return std::nullopt;
+    double nearest = infinity;
+    const auto may = [](const FittedSet& s) { return s.plausible && !s.correction; };
+    for (const auto& set : pool_)
+        if (set.causes.effects == exchanged.causes.effects && may(set)) nearest = std::min(nearest, set.misfit);
+    if (nearest < infinity) return nearest;
+    exchanged.x0 = fitter_.start(exchanged.causes, last, x);
+    for (const auto& set : judged({exchanged}))
+        if (may(set)) nearest = std::min(nearest, set.misfit);
+    return nearest;
 }
 
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below)

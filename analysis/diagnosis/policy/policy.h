@@ -59,8 +59,9 @@ inline constexpr LadderRules ladder{
     .margin = 0.14,          // of held-out mean log square, i.e. 7 % of the RMS; closer rivals differ by model error
     .rows_of_margin = 60,    // four readings of 15 rows each, see rows_per_reading
     .ranges = physical_ranges,
-    .far_off = 2,          // standard deviations; one document in twenty is so far off in a given parameter
-    .worth_telling = 0.1,  // of the squares; below, it is the scatter of blocks, not a dependence
+    .far_off = 2,            // standard deviations; one document in twenty is so far off in a given parameter
+    .beyond_the_others = 5,  // errors of one document are alike: three inertias named beside causes were its errors
+    .worth_telling = 0.1,    // of the squares; below, it is the scatter of blocks, not a dependence
 };
 
 /// Least mean square of a held-out window that counts, in squares of the noise floor. Reason: a joint at rest between

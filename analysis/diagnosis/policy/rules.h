@@ -45,8 +45,9 @@ struct LadderRules {
     double margin;                      ///< of held-out mean log square, where all that is left is model error
     double rows_of_margin;              ///< the same where all is noise, times rows
     std::span<const PhysicalRange> ranges;
-    double far_off;        ///< standard deviations from which on a document's number may be a cause beside others
-    double worth_telling;  ///< share of the squares from which on a dependence is reported
+    double far_off;            ///< standard deviations from which on a document's number may be a cause beside others
+    double beyond_the_others;  ///< multiple of what the document's other numbers are off, for the same
+    double worth_telling;      ///< share of the squares from which on a dependence is reported
 };
 
 }  // namespace stickslip::gap

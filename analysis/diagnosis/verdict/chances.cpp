@@ -29,20 +29,25 @@ bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t
 
 std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
 {
-    const FittedSet& rung = j.ladder.rungs[i];
-    const auto& named = j.ladder.last().causes.effects;
-    const auto in_the_set = [&](const Effect* e) { return std::ranges::count(named, e) > 0; };
+    const FittedSet &rung = j.ladder.rungs[i], &last = j.ladder.last();
+    const auto in_the_set = [&](const Effect* e) { return std::ranges::count(last.causes.effects, e) > 0; };
     const auto is_dropped = [&](const Effect* e) { return std::ranges::count(j.dropped, e) > 0; };
     // what a lower rung leaves is no doubt once all is explained
     const bool settled = j.noise_left && i + 1 < j.ladder.rungs.size();
-    std::vector<double> odds;
+    const auto odds = [](double misfit, double of_rival, double margin) {
+        return std::exp(std::min(0.0, misfit - of_rival) / margin);
+    };
+    std::vector<double> all;
     for (const auto& rival : j.ladder.rivals[i])
         // another rung of this ladder is no rival
-        odds.push_back(settled || std::ranges::all_of(rival.causes.effects, in_the_set) ||
-                               std::ranges::any_of(rival.causes.effects, is_dropped)
-                           ? 0
-                           : std::exp(std::min(0.0, rung.misfit - rival.misfit) / margin_of(rung, policy::ladder)));
-    return odds;
+        if (settled || std::ranges::all_of(rival.causes.effects, in_the_set) ||
+            std::ranges::any_of(rival.causes.effects, is_dropped))
+            all.push_back(0);
+        else if (rival.in_the_last)
+            all.push_back(odds(last.misfit, *rival.in_the_last, margin_of(last, policy::ladder)));
+        else
+            all.push_back(odds(rung.misfit, rival.misfit, margin_of(rung, policy::ladder)));
+    return all;
 }
 
 std::vector<double> chances_of(const JudgedLadder& j)

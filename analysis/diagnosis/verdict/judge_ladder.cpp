@@ -64,7 +64,7 @@ bool only_nearest(const JudgedLadder& j)
 /// Why a ladder has no rung: no cause earns one, or one would with numbers that it cannot have.
 Note why_no_rung(const Ladder& ladder)
 {
-    for (const auto& tried : ladder.rivals.empty() ? std::vector<FittedSet>{} : ladder.rivals[0])
+    for (const auto& tried : ladder.rivals.empty() ? std::vector<Rival>{} : ladder.rivals[0])
         if (!tried.plausible && earns(ladder.corrected, tried, policy::ladder))
             return {.code = Note::Code::earns_implausible, .names = names_of(tried.causes)};
     return {Note::Code::nothing_earns};

@@ -1,5 +1,6 @@
 // Ladders climbed on records of a small machine, and what is judged of them.
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
@@ -86,6 +87,57 @@ TEST_CASE("a number further off than documents are is freed beside a cause, thou
         at += last.causes.count_of(*last.causes.forms[i]);
     constexpr double level = 2;  // N; the spring, for which a wave stands in, bends it by less than a hundredth
     CHECK(si[at] == Approx(-0.44).margin(0.01 * level));
+}
+
+TEST_CASE(
+    "beside a cause a number counts as far off where the document is otherwise exact, not where it is off as a whole",
+    "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 4, m.inertia = 1.2 * 1.1;
+    const auto far_off = [](const Machine& machine) {
+        const Search search(machine, {"viscous"});
+        const auto ladder = search.search->climb({}, 1);
+        REQUIRE(ladder.rungs.size() == 1);
+        std::vector<std::string_view> names;
+        for (const auto& number : search.search->far_off(ladder)) names.push_back(number.effect->name);
+        return names;
+    };
+    CHECK(far_off(m) == std::vector<std::string_view>{"inertia"});
+    m.coulomb = 2 * 0.94;  // 1.2 standard deviations beside the 2.5 of the inertia
+    CHECK(far_off(m).empty());
+}
+
+TEST_CASE("a level that only stood in for a rising curve gives way once that is found", "[gap][ladder]")
+{
+    Machine m;
+    m.peak = 0.4, m.peak_velocity = 0.06, m.viscous = 1.5 + 3;
+    const Search search(m, {"coulomb-level", "stribeck:any-exponent", "viscous"});
+    const Corrections corrections(search.cases, search.scales, policy::ladder.prior);
+    const HeldOutData data(search.cases);
+    SetFitter fitter(data, search.scales, corrections, policy::ladder.ranges);
+    fitter.renew();
+    Climber climber(search.singles, fitter, policy::ladder, test::in_order);
+    const auto judged = [&](std::initializer_list<const char*> names) {
+        Start start;
+        start.causes.records = search.cases.size();
+        Eigen::VectorXd x;
+        for (const char* name : names) {
+            const auto single = search.single(name);
+            x = insert(start.causes, single.candidate.effects[0], single.candidate.forms[0], x, single.x[0]);
+        }
+        start.x0 = fitter.start(start.causes, {}, x);
+        return climber.judged({start});
+    };
+    const FittedSet below = judged({"coulomb-level", "stribeck:any-exponent"}).front();
+    REQUIRE_FALSE(below.correction);
+    const auto tried = judged({"coulomb-level", "stribeck:any-exponent", "viscous"});
+    REQUIRE(tried.front().correction);
+    const auto other = climber.without_correction(below, tried);
+    REQUIRE(other);
+    CHECK(names_of(other->causes) == std::vector<std::string>{"viscous", "stribeck"});
+    CHECK(other->misfit < below.misfit);
+    CHECK_FALSE(climber.without_correction(tried.front(), tried));  // it comes no nearer
 }
 
 TEST_CASE("a wave stays where it is when what was found with it is taken away", "[gap][ladder]")

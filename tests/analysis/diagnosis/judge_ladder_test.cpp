@@ -84,6 +84,20 @@ TEST_CASE("the rest speaks against the last cause that was found, not against th
     CHECK(chances[1] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest));
 }
 
+TEST_CASE("a rival of a lower rung is believed by the set that it makes with the rungs on top", "[gap][ladder]")
+{
+    auto j = ladder_of_one({0, 0}, 3, false);
+    j.ladder.rungs.push_back(rung({"stribeck", "constant-load"}, 0.05, 3));
+    j.ladder.rivals.emplace_back();
+    const double margin = margin_of(j.ladder.rungs[1], policy::ladder);
+    j.ladder.rivals[0][0].in_the_last = 0.05 + 2 * margin;
+    j.ladder.rivals[0][1].in_the_last = infinity;  // no rung at all beside the others
+    j.shares.rungs = {0.4, 0.12}, j.shares.explainable_to = 0.12;
+    const auto odds = odds_of_rivals(j, 0);
+    CHECK(odds[0] == Approx(std::exp(-2)));
+    CHECK(odds[1] == 0);
+}
+
 TEST_CASE("rivals of every rung are told as whole sets, and none that the chances do not count", "[gap][ladder]")
 {
     auto j = ladder_of_one({0.5, 3}, 3, false);

@@ -1,6 +1,15 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
 namespace stickslip::gap {
+namespace {
+
+/// On a straight guide gravity is a constant load: a sine of the position in metres is nothing that pulls there.
+bool turns(const Joint& j)
+{
+    return j.mechanism.motion == Motion::revolute || j.load.gravity_amplitude != 0;
+}
+
+}  // namespace
 
 Effect gravity()
 {
@@ -19,6 +28,7 @@ Effect gravity()
         };
         f.apply = [](Joint& j, const double* p) { add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], 0); };
         f.seeds = {{0}};
+        f.applies = turns;
         e.forms.push_back(f);
     }
     {
@@ -33,6 +43,7 @@ Effect gravity()
         };
         f.seeds = {{0, 0}};
         f.same_motion = {"sensor-offset"};
+        f.applies = turns;
         e.forms.push_back(f);
     }
     return e;

@@ -66,7 +66,7 @@ TEST_CASE("a log of position and effort alone tells what the joint lacks", "[dia
     m.gravity = 6;
     m.amplitude = 5;
     const std::vector<Record> records{without_command(m, 1, false), without_command(m, 2, false)};
-    const auto result = test::answer(test::nominal_joint(), records, test::in_order);
+    const auto result = test::answer(test::nominal_arm(), records, test::in_order);
     CHECK(has_note(result.diagnosis.notes, Note::Code::driven_by_effort));
     REQUIRE(result.diagnosis.verdict == Verdict::gap);
     CHECK(result.diagnosis.effects[0].names == std::vector<std::string>{"gravity"});

@@ -61,6 +61,14 @@ inline Joint nominal_joint()
     return j;
 }
 
+/// The same numbers of a joint that turns, where gravity is a sine of the position.
+inline Joint nominal_arm()
+{
+    Joint j = nominal_joint();
+    j.mechanism.motion = Motion::revolute;
+    return j;
+}
+
 inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
 {
     Record r;

@@ -72,6 +72,11 @@ std::optional<DelayedLoop> delayed_sampled_loop(const DelayedPlant& plant, const
 /// late, at `nodes` Chebyshev nodes each. Of continuous loops; what friction has as a table is left out.
 Eigen::MatrixXd delayed_matrix(const DelayedLoop& loop, double gain, int nodes);
 
+/// Where the rightmost roots of a sampled loop about lie, by falling real part, in the upper half plane: those of a
+/// matrix that holds the delays of friction at a few Chebyshev nodes. Starts for Newton's method, which costs far less
+/// from there than a search. None where friction has a table or the matrix would be large.
+std::vector<std::complex<double>> rough_roots(const DelayedLoop& loop, double gain);
+
 /// Roots with the gain closed, by falling real part; of a sampled loop ln(z)/T. All of them where they are those of a
 /// matrix; else the rightmost: from the past of the command at Chebyshev nodes (Breda, Maset & Vermiglio 2005) or,
 /// where there is no such matrix, from where the loop turns fastest along lines; each polished by Newton's method.

@@ -1,51 +1,70 @@
-// A loop behind dead time as a finite system: Chebyshev nodes over what is on its way.
+// Loops with delays as matrices that hold what is on its way at Chebyshev nodes.
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "analysis/loop/delay_nodes.h"
 #include "analysis/loop/delayed_loop.h"
+#include "analysis/loop/discrete_search.h"
 
 namespace stickslip {
+namespace {
 
-using std::numbers::pi;
+using Complex = std::complex<double>;
+
+void add_lines(const std::vector<DelayedFriction>& friction, std::vector<DelayLine>& lines)
+{
+    for (const auto& f : friction)
+        for (const auto& d : f.delays) lines.push_back({d.weight * f.push, f.speed, d.time});
+}
+
+Eigen::RowVectorXd widened(const Eigen::RowVectorXd& row, Eigen::Index size)
+{
+    Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(size);
+    all.head(row.size()) = row;
+    return all;
+}
+
+}  // namespace
 
 Eigen::MatrixXd delayed_matrix(const DelayedLoop& loop, double gain, int nodes)
 {
-    const auto n = loop.A.rows();
-    /// Something that acts a while after it arose.
-    struct Line {
-        Eigen::VectorXd input;
-        Eigen::RowVectorXd row;
-        double delay;
-    };
-    Eigen::MatrixXd A = loop.A;
-    std::vector<Line> lines{{loop.input, loop.held - gain * loop.output, loop.delay}};
-    for (const auto& f : loop.friction)
-        for (const auto& d : f.delays) lines.push_back({d.weight * f.push, f.speed, d.time});
-    std::erase_if(lines, [&](const Line& line) {
-        if (line.delay > 0) return false;
-        A += line.input * line.row;
-        return true;
-    });
-    // differentiation on x_j = cos(jπ/N)
-    const auto x = [&](int j) { return std::cos(j * pi / nodes); };
-    const auto c = [&](int j) { return (j == 0 || j == nodes ? 2.0 : 1.0) * (j % 2 ? -1 : 1); };
-    Eigen::MatrixXd D = Eigen::MatrixXd::Zero(nodes + 1, nodes + 1);
-    for (int i = 0; i <= nodes; ++i)
-        for (int j = 0; j <= nodes; ++j)
-            if (i != j) D(i, j) = c(i) / c(j) / (x(i) - x(j));
-    for (int i = 0; i <= nodes; ++i) D(i, i) = -D.row(i).sum();
-    const auto size = n + nodes * static_cast<Eigen::Index>(lines.size());
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(size, size);
-    M.topLeftCorner(n, n) = A;
-    auto at = n;
-    for (const auto& line : lines) {  // from −delay to 0
-        const Eigen::MatrixXd own = 2 / line.delay * D;
-        M.col(at + nodes - 1).head(n) = line.input;
-        M.block(at, at, nodes, nodes) = own.bottomRightCorner(nodes, nodes);
-        M.block(at, 0, nodes, n) = own.col(0).tail(nodes) * line.row;
-        at += nodes;
+    std::vector<DelayLine> lines{{loop.input, loop.held - gain * loop.output, loop.delay}};
+    add_lines(loop.friction, lines);
+    return with_nodes(loop.A, std::move(lines), nodes);
+}
+
+std::vector<Complex> rough_roots(const DelayedLoop& loop, double gain)
+{
+    constexpr double most_ticks = 20, most_memory = 12;  // ticks, of dead time and of friction
+    constexpr int fewest_nodes = 6;
+    constexpr std::size_t most_roots = 8;
+    std::vector<Complex> found;
+    if (!loop.ticked) return found;
+    const auto& [plant, timing, base, turned] = *loop.ticked;
+    double memory = 0;
+    for (const auto& f : loop.friction) {
+        if (!f.only_delays) return found;
+        memory = std::max(memory, f.memory);
     }
-    return M;
+    const double ticks = memory / timing.period;
+    if (timing.delay > most_ticks * timing.period || ticks > most_memory) return found;
+    // the fastest motion that ticks see turns by π a tick; as many nodes resolve it
+    const int nodes = fewest_nodes + static_cast<int>(std::ceil(ticks));
+    std::vector<DelayLine> lines;
+    add_lines(loop.friction, lines);
+    LoopPlant wide;
+    wide.A = with_nodes(plant.A, std::move(lines), nodes);
+    wide.B = widened(plant.B.transpose(), wide.A.rows()).transpose();
+    wide.C = widened(plant.C, wide.A.rows());
+    wide.C_v = widened(plant.C_v, wide.A.rows());
+    const auto ticked = sampled_loop(wide, timing, base, turned);
+    if (!ticked.closed(gain).allFinite()) return found;
+    for (const Complex& z : multipliers(ticked, gain)) {
+        const Complex s = std::log(z) / timing.period;
+        if (found.size() == most_roots || !std::isfinite(std::abs(s))) break;
+        if (s.imag() >= 0) found.push_back(s);
+    }
+    return found;
 }
 
 }  // namespace stickslip

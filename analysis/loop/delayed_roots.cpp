@@ -11,6 +11,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// Of a place that takes thousands of aliases, which is one of friction that grows many times over within a tick: a
+/// search for the root takes seconds there and ends without one (a falling curve of 7 kN·s/m on 1 kg, ticks of 10 ms).
+constexpr double hopeless = 300;
+
 bool has_matrix(const DelayedLoop& loop)
 {
     return loop.period == 0 && loop.friction.empty();
@@ -41,12 +45,23 @@ double cleared(double real, double size)
     return std::abs(real) < rounding * size ? 0 : real;
 }
 
+/// Whether a root right of that line is found near where roots about lie.
+bool grows(const DelayedLoop& loop, const OpenedLoop& open, double gain, double right_of)
+{
+    const auto starts = rough_roots(loop, gain);
+    return std::any_of(starts.begin(), starts.end(), [&](Complex start) {
+        const auto root = start.real() > right_of ? polished_root(open, gain, start, 0) : std::nullopt;
+        return root && root->real() > right_of && std::abs(root->imag()) <= open.end();
+    });
+}
+
 DelayedSpectrum spectrum_by_lines(const DelayedLoop& loop, double gain)
 {
     if (!loop.A.allFinite()) return {};
     const OpenedLoop open(loop);
     RootSearch search(open, gain);
-    const auto edge = search.edge();  // the lines of look_around() may all lie left of it
+    auto edge = search.edge_from(rough_roots(loop, gain));
+    if (!edge) edge = search.edge();  // the lines of look_around() may all lie left of it
     search.look_around();
     DelayedSpectrum found{search.all(), edge ? cleared(edge->real(), std::abs(*edge)) : not_set};
     sort_by_real_part(found.roots);
@@ -111,7 +126,9 @@ std::optional<Complex> rightmost_root(const DelayedLoop& loop, double gain)
     const OpenedLoop open(loop);
     // counting confirms it, so that few starts are enough to begin with
     constexpr std::size_t few = 4;
+    if (const auto edge = RootSearch(open, gain, few).edge_from(rough_roots(loop, gain))) return edge;
     constexpr double cheap = 50;  // places, of which nothing is to be looked at twice
+    if (open.cost() > hopeless) return std::nullopt;
     if (open.cost() > cheap) return RootSearch(open, gain).edge();
     if (const auto edge = RootSearch(open, gain, few).edge_of_steepest()) return edge;
     return RootSearch(open, gain).edge();
@@ -132,14 +149,15 @@ double delayed_side(const DelayedLoop& loop, double gain)
     constexpr double near = 1e-6;
     const double aside = near * open.turns_in();
     if (std::isfinite(aside)) {
+        // a root that grows needs no count
+        constexpr double costly = 10;  // of a place: a count takes as long as ten roots there
+        if (open.cost() > costly && grows(loop, open, gain, aside)) return 1;
+        if (open.cost() > hopeless) return not_set;
+        if (roots_right_of(open, gain, -aside, aside) == 0) return -1;
         const auto right = roots_right_of(open, gain, aside, aside);
         if (right && *right > 0) return 1;
-        if (right && roots_right_of(open, gain, -aside, aside) == 0) return -1;
     }
-    // a place that takes thousands of aliases is one of friction that grows many times over within a tick: a search for
-    // the root takes seconds there and ends without one (a falling curve of 7 kN·s/m on 1 kg, ticks of 10 ms)
-    constexpr double hopeless = 300;
-    return open.cost() > hopeless ? not_set : delayed_growth(loop, gain);
+    return delayed_growth(loop, gain);
 }
 
 }  // namespace stickslip

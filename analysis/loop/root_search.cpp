@@ -1,3 +1,4 @@
+// In one file: one search, by every way that finds the rightmost root, cheapest first.
 #include "analysis/loop/root_search.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@ namespace stickslip {
 namespace {
 
 using Complex = std::complex<double>;
+
+constexpr double cheap = 50;  ///< of a place; where it costs more, none is looked at twice
 
 bool further_left(Complex a, Complex b)
 {
@@ -83,6 +86,16 @@ std::optional<Complex> RootSearch::edge_of_steepest()
     return roots_.empty() ? std::nullopt : edge_by_newton();
 }
 
+std::optional<Complex> RootSearch::edge_from(const std::vector<Complex>& starts)
+{
+    // next to roots Newton's method takes few steps and needs none of the care of near_root()
+    constexpr std::size_t rightmost = 2;
+    const auto most = open_.cost() > cheap ? std::min(rightmost, starts.size()) : starts.size();
+    for (std::size_t i = 0; i < most; ++i)
+        if (const auto s = polished_root(open_, gain_, starts[i], 0)) add(*s);
+    return roots_.empty() ? std::nullopt : edge_by_newton();
+}
+
 bool RootSearch::knows_right_of(double sigma) const
 {
     return std::any_of(roots_.begin(), roots_.end(), [&](Complex s) { return s.real() > sigma; });
@@ -93,7 +106,6 @@ bool RootSearch::climb(double sigma)
 {
     // once, and where a place costs little: what it does not find is halved for
     constexpr int most = 6;
-    constexpr double cheap = 50;
     if (std::exchange(climbed_, true) || open_.cost() > cheap) return false;
     double wide = 0.3 * unit_;
     for (int i = 0; i < most; ++i, wide *= 2) {
@@ -228,7 +240,12 @@ void RootSearch::take(Complex start)
     if (!near) return;
     const auto found = polished_root(open_, gain_, *near, 0);
     if (!found || std::abs(*found - *near) > 1e-3 * std::abs(*near)) return;
-    Complex s(found->real(), std::abs(found->imag()));
+    add(*found);
+}
+
+void RootSearch::add(Complex root)
+{
+    Complex s(root.real(), std::abs(root.imag()));
     if (s.imag() < 1e-9 * std::abs(s)) s.imag(0);
     if (s.imag() > open_.end() * (1 + 1e-9)) return;
     if (!is_known(s)) roots_.push_back(s);

@@ -29,6 +29,8 @@ class RootSearch {
     std::optional<Complex> edge();
     /// The same from the steepest places alone, without what costs more.
     std::optional<Complex> edge_of_steepest();
+    /// The same by Newton's method from places near roots, and from the steepest places where these were not all.
+    std::optional<Complex> edge_from(const std::vector<Complex>& starts);
     /// With their conjugates, by falling real part.
     std::vector<Complex> all() const;
 
@@ -45,6 +47,7 @@ class RootSearch {
     std::optional<Complex> near_root(Complex s) const;
     bool knows_right_of(double sigma) const;
     void take(Complex start);
+    void add(Complex root);
     bool is_known(Complex s) const;
 
     const OpenedLoop& open_;

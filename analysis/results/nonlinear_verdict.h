@@ -38,6 +38,13 @@ struct NonlinearVerdict {
     Detail fold_missing = Detail::none;             ///< why a fold was looked for and not found
     LargerTried searched_from = LargerTried::none;  ///< larger disturbances, where the stated one decays
     bool used_fallback = false;                     ///< CVODE gave up on the way and Rodas5P finished
+
+    /// Whether what does not slide on comes to rest for good, where limits keep its static friction from breaking.
+    bool comes_to_rest() const
+    {
+        const bool after_larger = outcome == Outcome::stable_sliding && region == NonlinearRegion::bistable;
+        return outcome == Outcome::held || (after_larger && stick_fraction == 1 && period != period);
+    }
 };
 
 }  // namespace stickslip

@@ -48,7 +48,7 @@ constexpr Column table[] = {
     coded<&PointResult::outcome>(
         "outcome", "what the nonlinear joint does after the stated disturbance",
         "not_asked stable-sliding stick-slip limit-cycle reversal period-n irregular undecided "
-        "linear-only solver-failure",
+        "linear-only solver-failure held",
         true),
     coded<&PointResult::path>("path", "method that decided the outcome",
                               "none lanes cvode shooting method-of-steps ticks interpolation", true),

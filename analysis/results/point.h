@@ -37,7 +37,8 @@ enum class Outcome : std::uint8_t {
     irregular,
     undecided,
     linear_only,
-    solver_failure
+    solver_failure,
+    held  ///< at rest for ever: limits leave less effort than breaks its static friction
 };
 
 /// Which method decided the outcome; `steps` is the method of steps, for delayed friction, `ticks` the real

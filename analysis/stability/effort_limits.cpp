@@ -5,6 +5,7 @@
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -89,16 +90,41 @@ std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double vel
     return std::nullopt;
 }
 
+std::optional<LowLimit> below(const Joint& joint, double effort, double velocity)
+{
+    return joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, std::abs(effort))
+                                                       : of_a_motor(joint, effort, velocity);
+}
+
+/// What static friction takes beyond that of sliding, in joint coordinates: at most, as bodies may break away one after
+/// the other.
+double beyond_sliding(const Joint& joint, double velocity)
+{
+    const Chain chain = chain_of(joint);
+    double more = 0;
+    for (int i = 0; i < chain.bodies; ++i) {
+        const auto& b = chain.body[i];
+        const double sliding = std::abs(steady_force(*b.friction, b.velocity(velocity)));
+        more += b.ratio * std::max(0.0, static_force(*b.friction) - sliding);
+    }
+    return joint.mechanism.model == Model::single_mass ? more / (1 - joint.friction.load_coefficient) : more;
+}
+
 }  // namespace
 
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
 {
     if (joint.control.kind == ControlKind::force) return std::nullopt;
-    const double effort = steady_effort(joint, velocity);
-    auto low = joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, std::abs(effort))
-                                                           : of_a_motor(joint, effort, velocity);
+    auto low = below(joint, steady_effort(joint, velocity), velocity);
     if (low) low->velocity = velocity, low->friction = steady_sliding(joint).friction;
     return low;
+}
+
+std::optional<LowLimit> low_limit_at_rest(const Joint& joint, double velocity)
+{
+    if (joint.control.kind == ControlKind::force) return std::nullopt;
+    const double more = std::copysign(beyond_sliding(joint, velocity), velocity);
+    return below(joint, steady_effort(joint, velocity) + more, 0);
 }
 
 }  // namespace stickslip

@@ -37,4 +37,8 @@ Joint acting_joint(const Joint& joint);
 /// At V; nothing where every limit leaves the effort of steady sliding, and of force loops, whose ramp knows no limit.
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity);
 
+/// The same of a joint that is at rest and is to go on at V: what has to break is its static friction. A joint with
+/// such a limit stays where it came to rest.
+std::optional<LowLimit> low_limit_at_rest(const Joint& joint, double velocity);
+
 }  // namespace stickslip

@@ -62,7 +62,9 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     if (!reason_text(v).empty()) table.rows.push_back({"because", reason_text(v)});
     if (v.region == NonlinearRegion::bistable)
         table.rows.push_back(v.outcome == Outcome::stable_sliding
-                                 ? std::vector<std::string>{"a larger disturbance", "ends in a limit cycle: bistable"}
+                                 ? std::vector<std::string>{"a larger disturbance",
+                                                            v.comes_to_rest() ? "ends at rest for good: bistable"
+                                                                              : "ends in a limit cycle: bistable"}
                                  : std::vector<std::string>{"a small disturbance", "decays: bistable"});
     if (v.region == NonlinearRegion::stable)
         table.rows.push_back(

@@ -52,11 +52,12 @@ bool above_the_loops_window(const Joint& joint, const LinearVerdict& v)
 }
 
 /// The first words: what the joint does, and how fast.
-std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable)
+std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable, bool rests)
 {
     const auto speed = with_unit(v.steady.velocity, Quantity::velocity, units_of(joint));
     if (v.state_variable.stable && bistable)
-        return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance ends in stick-slip for good";
+        return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance " +
+               (rests ? "brings it to rest for good" : "ends in stick-slip for good");
     if (v.state_variable.stable) return "Slides smoothly at " + speed;
     if (v.state_variable.neutral)
         return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow";
@@ -66,6 +67,9 @@ std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistabl
     if (above_the_loops_window(joint, v))
         return "Unstable loop: k_{p} is above every gain with which the loop itself is stable, sliding at " + speed +
                " does not last";
+    if (rests)
+        return "Comes to rest for good: sliding at " + speed +
+               " is unstable, and at rest the limits leave less effort than breaks static friction";
     return "Stick-slip: sliding at " + speed + " is unstable";
 }
 
@@ -92,7 +96,7 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
 
 }  // namespace
 
-std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistable)
+std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistable, bool rests)
 {
     const Units units = units_of(joint);
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
@@ -102,7 +106,7 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
     if (v.steady.reason != Reason::none) return "Undecided at the design point: " + reason_text(v.steady.reason) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;
-    std::string text = first_words(joint, v, bistable);
+    std::string text = first_words(joint, v, bistable, rests);
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)

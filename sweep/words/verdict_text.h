@@ -9,8 +9,8 @@
 namespace stickslip {
 
 /// The answer in one sentence, in chart mark-up. `bistable`: what the linear theory calls stable is half of the answer,
-/// a large enough disturbance ends in stick-slip.
-std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, bool bistable = false);
+/// a large enough disturbance ends in stick-slip. `rests`: what does not slide on stays at rest.
+std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, bool bistable = false, bool rests = false);
 
 /// Every number of the verdict with its unit.
 Table linear_table(const Joint& joint, const LinearVerdict& verdict);

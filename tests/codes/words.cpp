@@ -119,7 +119,7 @@ std::string contradicted_text(const std::vector<std::string>&, bool)
     return "#contradicted";
 }
 
-std::string verdict_text(const Joint&, const LinearVerdict&, bool)
+std::string verdict_text(const Joint&, const LinearVerdict&, bool, bool)
 {
     return "#verdict";
 }

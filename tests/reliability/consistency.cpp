@@ -1,6 +1,8 @@
-// Random joints of every law, model and control: does any linear answer contradict another? Usage:
-// reliability_consistency --joints N [--from K] [--log FILE], for the joints K … N − 1. A joint is drawn from its
-// number alone; the log holds one line a thousand joints, and a run that finds one goes on behind it.
+// Random joints of every law, model and control: does any linear answer contradict another? With --loops joints with
+// real loops: does any verb, and the motion itself, contradict another? Usage:
+// reliability_consistency --joints N [--from K] [--loops] [--log FILE], for the joints K … N − 1. A joint
+// is drawn from its number alone; the log holds one line a thousand joints, and a run that finds one goes on behind it.
+#include "tests/analysis/loop/random_loop.h"
 #include "tests/analysis/stability/random_joint.h"
 
 #include <algorithm>
@@ -16,13 +18,17 @@ int main(int argc, char** argv)
     using namespace stickslip;
     std::uint64_t joints = 10'000, number = 0, faults = 0;
     std::string log;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        if (!std::strcmp(argv[i], "--joints"))
-            joints = std::stoull(argv[i + 1]);
-        else if (!std::strcmp(argv[i], "--from"))
-            number = std::stoull(argv[i + 1]);
-        else if (!std::strcmp(argv[i], "--log"))
-            log = argv[i + 1];
+    bool loops = false;
+    for (int i = 1; i < argc; ++i) {
+        const bool more = i + 1 < argc;
+        if (!std::strcmp(argv[i], "--loops"))
+            loops = true;
+        else if (more && !std::strcmp(argv[i], "--joints"))
+            joints = std::stoull(argv[++i]);
+        else if (more && !std::strcmp(argv[i], "--from"))
+            number = std::stoull(argv[++i]);
+        else if (more && !std::strcmp(argv[i], "--log"))
+            log = argv[++i];
         else
             return std::fprintf(stderr, "unknown option %s\n", argv[i]), 2;
     }
@@ -38,7 +44,8 @@ int main(int argc, char** argv)
         std::string fault;
         const std::clock_t begun = std::clock();
         try {
-            fault = samples::contradiction(samples::random_joint(number));
+            fault = loops ? samples::contradiction_of_verbs(samples::random_loop(number))
+                          : samples::contradiction(samples::random_joint(number));
         } catch (const std::exception& e) {
             fault = std::string("exception: ") + e.what();
         }
@@ -54,7 +61,8 @@ int main(int argc, char** argv)
         if (!log.empty() && (number + 1) % 1000 == 0)
             std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;
     }
-    std::printf("linear answers compared: %llu joints, %llu of them in this run, contradictions: %llu\n",
+    std::printf("%s compared: %llu joints, %llu of them in this run, contradictions: %llu\n",
+                loops ? "answers of the verbs about real loops" : "linear answers",
                 static_cast<unsigned long long>(joints), static_cast<unsigned long long>(number - first),
                 static_cast<unsigned long long>(faults));
     for (const auto& [kind, count] : kinds)

@@ -1,6 +1,6 @@
 // What `evaluate --json` and `margins` take in CPU time, over random joints of every law, model and control. Usage:
-// reliability_times [--joints N] [--from K] [--margins] [--limit SECONDS] [--slow FOLDER], for the joints K … N − 1,
-// drawn as reliability_consistency draws them. Joints above the limit are printed, and written to FOLDER for
+// reliability_times [--joints N] [--from K] [--loops] [--margins] [--limit SECONDS] [--slow FOLDER], for the joints
+// K … N − 1, drawn as reliability_consistency draws them. Joints above the limit are printed, and written to FOLDER for
 // `stickslip`.
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/integral_cost.h"
@@ -11,6 +11,7 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/study/margins_answer.h"
+#include "tests/analysis/loop/random_loop.h"
 #include "tests/analysis/stability/random_joint.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ int main(int argc, char** argv)
 {
     std::uint64_t joints = 200, from = 0;
     double limit = 1;
-    bool margins = false;
+    bool margins = false, loops = false;
     std::filesystem::path folder;
     for (int i = 1; i < argc; ++i) {
         const bool more = i + 1 < argc;
@@ -62,13 +63,15 @@ int main(int argc, char** argv)
             folder = argv[++i];
         else if (!std::strcmp(argv[i], "--margins"))
             margins = true;
+        else if (!std::strcmp(argv[i], "--loops"))
+            loops = true;
         else
             return std::fprintf(stderr, "unknown option %s\n", argv[i]), 2;
     }
     std::vector<double> seconds;
     int slow = 0;
     for (std::uint64_t number = from; number < joints; ++number) {
-        const Joint joint = samples::random_joint(number);
+        const Joint joint = loops ? samples::random_loop(number) : samples::random_joint(number);
         const double begin = cpu_seconds();
         if (margins)
             margins_of(joint);

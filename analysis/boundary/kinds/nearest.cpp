@@ -87,9 +87,10 @@ class NearestSearch {
         if (length < 1e-9) return 4 * options_.reach;
         const Vector unit = scaled_by(direction, 1 / length);
         const auto at = [&](double r) { return measure(scaled_by(unit, r)); };
-        double a = 0;
-        // what lies beyond the reach does not count, but leads the search to what does
-        const double far = 2 * options_.reach;
+        double a = 0, looked_at = 0;
+        // what lies beyond the reach does not count, but leads a search over directions to what does
+        const bool leads = n_ > 1;
+        const double far = (leads ? 2 : 1) * options_.reach;
         for (int k = 1; k <= options_.rays; ++k) {
             const double share = static_cast<double>(k) / options_.rays;  // finer where it matters: near the joint
             const double b = far * share * share;
@@ -101,9 +102,10 @@ class NearestSearch {
                 if ((fa < 0) != (fb < 0)) return bracketed_root(at, a, fa, b, fb, precision_).value;
             }
             a = b;
+            if (a <= options_.reach) looked_at = a;
         }
-        // without a crossing the search is led to where the measure has come down most
-        const double left = a > 0 ? at(a) / here_ : 1;
+        // without a crossing the search is led to where the measure has come down most, within the reach
+        const double left = leads && looked_at > 0 ? at(looked_at) / here_ : 1;
         return far * (1 + 0.5 * (std::isnan(left) ? 1 : std::clamp(left, 0.0, 1.0)));
     }
 

@@ -41,6 +41,7 @@ double side_of_outcome(Outcome outcome)
         case Outcome::reversal:
         case Outcome::period_n:
         case Outcome::irregular:
+        case Outcome::held:
             return 1;
         default:
             return missing;

@@ -12,7 +12,7 @@ Outcome LoopEnd::outcome() const
         case Kind::period_n:
             return Outcome::period_n;
         case Kind::held:
-            return Outcome::stick_slip;
+            return Outcome::held;
         case Kind::irregular:
         case Kind::cycle:
             break;

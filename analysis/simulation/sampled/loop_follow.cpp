@@ -88,7 +88,7 @@ LoopFollower::LoopFollower(SampledLoop& loop, const std::vector<double>& steady,
     if (!options_.uneven) return;
     UnevenOptions uneven;
     uneven.V0 = V0_, uneven.tick = loop_.period();
-    uneven.turn = options_.turn, uneven.held = options_.held;
+    uneven.turn = options_.turn, uneven.held = options_.held, uneven.stays = options_.stays;
     uneven.decay = options_.decay, uneven.winds = options_.winds;
     uneven.steady_attracts = options_.steady_attracts;
     uneven.noise = options_.noise, uneven.lead = options_.lead, uneven.jitter = options_.jitter;
@@ -271,7 +271,7 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
         if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
         last_crossing_ = loop_.time();
         const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);
-        if (slow) {
+        if (slow && options_.stays) {
             LoopEnd held = ended(LoopEnd::Kind::held);
             held.stick_fraction = 1;
             return held;

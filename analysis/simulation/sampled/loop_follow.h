@@ -10,6 +10,7 @@ namespace stickslip {
 struct LoopFollowOptions {
     int turn_limit = 3000;
     bool steady_attracts = false;  ///< small disturbances decay
+    bool stays = false;            ///< once at rest, no effort that the loop can give moves it
     double turn = missing;         ///< s, of the slow mode: about how long a turn is
     double held = 0;               ///< s, that a cycle may stand still
     double decay = missing;        ///< 1/s, of small disturbances; negative where they decay

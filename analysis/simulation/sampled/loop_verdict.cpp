@@ -33,7 +33,8 @@ double total_backlash(const Joint& joint)
     return m.motor_transmission.backlash + m.transmission_link.backlash;
 }
 
-/// How long a cycle may stand still: the spring winds up by what friction holds, from one side to the other.
+/// How long a cycle may stand still: the spring winds up by what friction holds, from one side to the other and through
+/// the dead zone between them.
 double held_time(const Joint& joint, double V0)
 {
     const Chain chain = chain_of(joint);
@@ -42,7 +43,10 @@ double held_time(const Joint& joint, double V0)
         const auto& b = chain.body[i];
         held += b.ratio * std::max(static_force(*b.friction), std::abs(steady_force(*b.friction, b.velocity(V0))));
     }
-    return 2 * held / std::abs(joint.control.k_p * V0);
+    const double sliding = V0 / joint.sensor.position_scale;
+    const auto acts = actuation(joint, sliding, steady_effort(joint, sliding));
+    const double stiffness = std::abs(joint.control.k_p * acts.gain * acts.scale);
+    return 2 * (held / stiffness + joint.control.dead_zone / acts.scale) / std::abs(sliding);
 }
 
 LoopVerdict refused(Reason reason, Detail why = Detail::none)
@@ -168,6 +172,7 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     // the slow mode of an integral does not turn, but the spring swings beside it
     options.turn = 2 * std::numbers::pi / (winds_up_slowly() ? spring_rate(joint_) : std::abs(s));
     options.held = held_time(joint_, V0);
+    options.stays = low_limit_at_rest(joint_, V0 / joint_.sensor.position_scale).has_value();
     options.uneven = joint_.sensor.encoder_quantum > 0 || joint_.sensor.position_noise > 0;
     options.noise = noise();
     // slips swing at the spring's frequency however fast small motions grow

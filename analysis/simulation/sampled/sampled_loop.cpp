@@ -111,7 +111,7 @@ bool SampledLoop::begin_slower(double share)
 {
     if (!slide(frame_reading_, 0)) return false;
     const double full = steady_command_;
-    if (!slide(std::max(share, slowest) * frame_reading_, 0)) return false;
+    if (!slide(std::max(share, slowest) * frame_reading_, 0) && (share != 0 || !slide(frame_reading_, 0))) return false;
     steady_command_ = full;
     if (share == 0)
         for (int i = 0; i < motion.joint.bodies(); ++i) motion.joint.set_velocity(motion.y.data(), i, 0);

@@ -37,7 +37,8 @@ class SampledLoop {
 
     /// Slides steadily, or false where the loop has no steady sliding.
     bool begin_steadily();
-    /// Slides at this share of V_0 instead, forces balanced, from where V_0 is commanded; 0: rests where the law can.
+    /// Slides at this share of V_0 instead, forces balanced, from where V_0 is commanded; 0: rests where the law can,
+    /// with the effort of V_0 where limits leave too little for slower sliding.
     bool begin_slower(double share);
     /// Slides steadily with the reference at `reading` and moving at `rate`: for laws that cannot rest. In a frame at
     /// rest.

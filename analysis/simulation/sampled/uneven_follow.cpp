@@ -152,7 +152,7 @@ std::optional<LoopEnd> UnevenFollow::decide() const
     const double patience = turns_held * panes_of_turn + o_.held / length(1);
     if (static_cast<double>(n) > patience) {
         const Stretch long_ago = newest(static_cast<std::size_t>(patience));
-        if (stands(long_ago)) {
+        if (o_.stays && stands(long_ago)) {
             LoopEnd end = measured(long_ago);
             end.kind = LoopEnd::Kind::held, end.stick_fraction = 1;
             return end;

@@ -23,6 +23,7 @@ struct UnevenOptions {
     double decay = missing;        ///< 1/s, of small disturbances; negative where they decay
     double winds = 0;              ///< 1/s, with which an integral finds its level; 0: none
     bool steady_attracts = false;  ///< small disturbances decay
+    bool stays = false;            ///< once at rest, no effort that the loop can give moves it
     double noise = 0;              ///< the smallest motion that the encoder or its noise makes
     double lead = 0;               ///< ln of what the motion starts with, per what noise makes
     Jitter jitter;                 ///< where known

@@ -28,6 +28,15 @@ double slowest_time(const Regulator& r, double viscous)
     return slowest;
 }
 
+/// To what share a slip from so near is followed: static friction and the integral nearly cancel there, and below what
+/// their rounding leaves of the spring's force no step of the solver is small enough.
+double followed_to(const Regulator& r, double static_force, double a)
+{
+    constexpr double rounding = 2e-14, roughest = 1e-4;
+    const double left = rounding * static_force / (std::abs(r.k_p) * a);
+    return left > rtol ? std::min(left, roughest) : rtol;
+}
+
 /// The velocity over which the friction falls; infinite where it does not.
 double falling_speed(const Friction& friction)
 {
@@ -156,7 +165,8 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
     const double speed = std::min(a / slowest_, 1e-3 * speed_limit_);
     RegulatorFlow flow(regulator_, friction_, a, speed);
     const Events events = events_of(flow);
-    const auto solver = rodas5p_stepper(rtol);
+    const double tolerance = followed_to(regulator_, static_, a), none = std::max(nothing, tolerance);
+    const auto solver = rodas5p_stepper(tolerance);
     FlowVector y(3);
     y << -a, 0, w;
     solver->start(flow, 0, y, events);
@@ -174,7 +184,7 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
             }
         if (std::abs(y[0]) > far * a) return stop.end = Stop::End::runaway, stop;
         stop.x = y[0], stop.slip_time = now;
-        const bool still = std::abs(y[0]) < nothing * a && std::abs(y[1]) < nothing * speed;
+        const bool still = std::abs(y[0]) < none * a && std::abs(y[1]) < none * speed;
         if (still || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
         if (report.end != StepEnd::event) continue;
         if (report.event != rests) {

@@ -55,7 +55,7 @@ void print_text(const JointEvaluation& e, const std::string& servo)
         if (!e.contradicting.empty())
             fmt::print("{}\n", contradicted_text(e.contradicting, e.verdict.state_variable.stable));
         const bool bistable = e.nonlinear.region == NonlinearRegion::bistable;
-        const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable));
+        const auto verdict = plain_text(verdict_text(e.summed, e.verdict, bistable, e.nonlinear.comes_to_rest()));
         fmt::print("{}\n", e.left_out ? of_ideal_loop(verdict) : verdict);
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));

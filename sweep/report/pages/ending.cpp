@@ -26,7 +26,9 @@ std::string ending_words(const NonlinearVerdict& v)
     };
     switch (v.outcome) {
         case Outcome::stable_sliding:
-            return v.region == NonlinearRegion::bistable
+            return v.comes_to_rest()
+                       ? "Smooth for this disturbance: it decays, but a larger one brings the joint to rest for good."
+                   : v.region == NonlinearRegion::bistable
                        ? "Smooth for this disturbance: it decays, but a larger one ends in a limit cycle."
                        : "Smooth: the disturbance decays.";
         case Outcome::stick_slip:
@@ -39,6 +41,8 @@ std::string ending_words(const NonlinearVerdict& v)
             return "Oscillation: the motion repeats after " + std::to_string(v.repeats) + " turns." + resting();
         case Outcome::irregular:
             return "Oscillation: the motion does not settle to any cycle." + resting();
+        case Outcome::held:
+            return "At rest for good: the limits leave less effort than breaks static friction.";
         case Outcome::linear_only:
             return "Judged by the linear theory only.";
         case Outcome::solver_failure:
@@ -52,7 +56,7 @@ std::string ending_words(const NonlinearVerdict& v)
 
 Headline::Tone ending_tone(const NonlinearVerdict& v)
 {
-    if (oscillates(v.outcome)) return Tone::bad;
+    if (oscillates(v.outcome) || v.outcome == Outcome::held) return Tone::bad;
     if (v.outcome == Outcome::linear_only) return Tone::neutral;
     return v.outcome == Outcome::stable_sliding && v.region != NonlinearRegion::bistable ? Tone::good : Tone::warning;
 }

@@ -35,9 +35,9 @@ std::string change_words(const Margin& m)
 
 }  // namespace
 
-DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region)
+DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region, bool rests)
 {
-    DesignVerdict verdict{region, verdict_text(joint, linear, region == Region::bistable), Tone::good};
+    DesignVerdict verdict{region, verdict_text(joint, linear, region == Region::bistable, rests), Tone::good};
     if (linear.steady.reason != Reason::none) {
         verdict.tone = Tone::warning;
     } else if (linear.state_variable.neutral) {

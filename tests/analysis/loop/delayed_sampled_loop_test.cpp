@@ -165,6 +165,46 @@ TEST_CASE("A sampled loop around friction that is delayed grows as its motion do
     CHECK(windows >= 3);
 }
 
+TEST_CASE("A loop of 100 Hz around friction that falls steeply and late is judged, however fast it grows")
+{
+    // −72 N·s/m against steps in time, −7 kN·s/m on 1 kg grows many times over within a tick
+    Joint joint = lagging(-72, 3e-3, 400, 20);
+    joint.control.period = 1e-2;
+    const double grows = stepped_growth(0, 72, 3e-3, 400, 20, 1e-2, 0, 300);
+    REQUIRE(grows > 10);
+    CHECK(growth_rate(joint) == Approx(grows).epsilon(1e-6));
+    CHECK(real_side(joint, 1e-2, false) > 0);
+    for (const double slope : {-700.0, -7e3}) {
+        const Joint steep = [&] {
+            Joint j = lagging(slope, 3e-3, 400, 20);
+            j.control.period = 1e-2;
+            return j;
+        }();
+        INFO("slope " << slope);
+        CHECK(real_side(steep, 1e-2, false) > 0);
+    }
+}
+
+TEST_CASE("Roots of delays at a few nodes lie beside those of the loop")
+{
+    for (const double slope : {-300.0, -30.0, 40.0})
+        for (const double lag : {0.5e-3, 4e-3, 9e-3})
+            for (const double delay : {0.0, 1.4e-3}) {
+                Joint joint = lagging(slope, lag, 2e4, 80);
+                joint.control.delay = delay;
+                const auto loop = real_loop(joint, linear_joint(joint, 1e-2), 1e-2, TurnedGain::all);
+                REQUIRE(loop);
+                const auto* delayed = std::get_if<DelayedLoop>(&loop->loop);
+                REQUIRE(delayed);
+                const auto rough = rough_roots(*delayed, loop->gain);
+                const auto exact = rightmost_root(*delayed, loop->gain);
+                INFO("slope " << slope << " lag " << lag << " delay " << delay);
+                REQUIRE(!rough.empty());
+                REQUIRE(exact);
+                CHECK(std::abs(rough.front() - *exact) < 0.03 * std::abs(*exact));
+            }
+}
+
 TEST_CASE("A short period gives the continuous loop around late friction")
 {
     Joint joint = lagging(-60, 5e-3, 1e5, 20);

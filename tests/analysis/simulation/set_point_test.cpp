@@ -270,3 +270,21 @@ TEST_CASE("a load takes its share of the limits of a loop at a set point", "[set
     plain.control.effort_limit = 4;
     CHECK(set_point(plain).reason == SetPointReason::loaded);
 }
+
+TEST_CASE("a slip from so near that forces are rounding ends, too", "[set-point]")
+{
+    // the integral creeps in for seconds while it and 2.7 N of static friction cancel to twelve digits
+    Joint joint;
+    joint.mechanism.inertia = 0.15;
+    auto& c = joint.control;
+    c.V0 = 0, c.k_p = 8300, c.k_v = 195, c.k_i = 12800;
+    joint.friction.law = Stribeck{1.95, 1.9, 0.77, 7.2e-3, 2};
+    const StopToStop motion(regulator_of(joint), joint.friction);
+    for (const double a : {1e-3, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+        const auto stop = motion.slip_from(a);
+        INFO("from " << a << " to " << stop.x);
+        CHECK((stop.end == Stop::End::settled || stop.end == Stop::End::stop));
+        CHECK(std::abs(stop.x) < a);
+    }
+    CHECK(set_point(joint).hunting == Hunting::no);
+}

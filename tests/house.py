@@ -6,7 +6,7 @@ Checks that arrows between floors go down only, that no folders include each oth
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
 from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
 than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
-sentences, and that comments name no file that is gone.
+sentences, and that comments name no file or document that is not there.
 """
 import re
 import sys
@@ -83,15 +83,23 @@ def internal_complaints():
 NAMED_FILE = re.compile(r"\b(?:" + "|".join(ROOMS) + r")/[\w/.-]+\.(?:h|cpp)\b")
 
 
+NAMED_PAGE = re.compile(r"\b[\w/-]+\.md\b")
+# A paper by a name in capitals, as "PAPER §3": of the documents of a design, which no reader has.
+NAMED_PAPER = re.compile(r"\b(?:[A-Z]{3,}(?:\.md)?(?= §)|INTERFACE\b|PHYSICS\b)")
+
+
 def comment_complaints():
-    """A comment that sends its reader to a file names one that is there."""
-    for path in files():
+    """A comment that sends its reader to a file or a page names one that is there."""
+    for path in [*files(), *files(("tests",))]:
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             if "#include" in line or "//" not in line:
                 continue
-            for name in NAMED_FILE.findall(line[line.index("//"):]):
-                if not (SOURCE / name).exists():
+            comment = line[line.index("//"):]
+            for name in NAMED_FILE.findall(comment) + NAMED_PAGE.findall(comment):
+                if not (SOURCE / name).exists() and not (SOURCE / path.parent / name).exists():
                     yield f"{path}:{number}: names {name}, which is not there"
+            for name in NAMED_PAPER.findall(comment):
+                yield f"{path}:{number}: cites {name}, which is no document of this repository"
 
 
 # What decides an answer of the diagnosis has a name, a reason and its evidence in one file.
@@ -165,10 +173,10 @@ def refusal_complaints():
                 yield f"{path}:{number}: refuses with words; give CannotAnswer a code for it, and sweep/words its sentence"
 
 
-def files():
-    for room in ROOMS:
+def files(rooms=ROOMS):
+    for room in rooms:
         for path in sorted((SOURCE / room).rglob("*")):
-            if path.suffix in (".h", ".cpp"):
+            if path.suffix in (".h", ".cpp") and "node_modules" not in path.parts:
                 yield path.relative_to(SOURCE)
 
 

@@ -48,6 +48,7 @@ CASES = [
                                            "analysis/base/law.cpp": '#include "analysis/joint/own.h"\n'},
      "which is internal to analysis/joint"),
     ("a comment that names a file that is gone", {"analysis/base/law.cpp": "// as in analysis/base/gone.h\n"}, "which is not there"),
+    ("a comment that cites a paper of nobody", {"tests/analysis/law_test.cpp": "// as in PHYSICS §3\n"}, "cites PHYSICS"),
     ("a bare number in the diagnosis", {"analysis/diagnosis/fit/fit.cpp": "bool good = share > 0.35;\n"}, "compares with a bare number"),
     ("words in a refusal of the diagnosis", {"analysis/diagnosis/fit/fit.cpp": 'throw std::runtime_error("no");\n'}, "refuses with words"),
 ]

@@ -39,7 +39,7 @@ struct Share {
     std::string name;
     double share = 0;
     ConfidenceInterval interval;
-    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the noise floor
+    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the prediction floor
     std::string unit;
 };
 
@@ -158,7 +158,7 @@ struct NextExperiment {
 };
 
 struct RecordRole {
-    std::string file, role;  ///< fit | held-out
+    std::string file, role;  ///< held-out: every record is, in its turn
 };
 
 /// Traces of one record for the page: measured, and simulated before and after.

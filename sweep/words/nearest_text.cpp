@@ -54,7 +54,7 @@ std::string nearest_text(const NearestBoundary& n, Units units)
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
     if (!n.found)
-        return std::string("No joint change of the uncertain parameters by up to ×10 ") +
+        return std::string("No change of these parameters by up to ×10 ") +
                (n.stable ? "causes stick-slip." : "makes sliding stable.");
     const auto moves = leading_moves(n);
     std::string text = event + " if ";

@@ -119,8 +119,8 @@ namespace {
 
 using Inside = std::function<bool(std::size_t tick)>;
 
-/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort. `shown` gets
-/// what it predicts.
+/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort, with the
+/// prediction floor as the noise floor. `shown` gets what it predicts.
 std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, const Inside& inside, Trace* shown)
 {
     constexpr double slow = 12;  // rad/s

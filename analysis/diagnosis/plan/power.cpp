@@ -17,8 +17,8 @@ namespace {
 constexpr double deviations = 5;
 constexpr std::size_t fewest_periods = 100;  // of the loop, in a motion
 
-/// What an effect has to change in the surprises, root mean square in noise floors, for the diagnosis to see it: over
-/// many rows that is less than the noise of one.
+/// What an effect has to change in the surprises, root mean square in prediction floors, for the diagnosis to see it:
+/// over many rows that is less than the noise of one.
 double seen()
 {
     return std::sqrt(policy::visible_excess);
@@ -106,7 +106,7 @@ class Planned {
             evaluate(cases_, {}, {}, omega, &nominal_.back());
         }
     }
-    /// What the effect changes in the surprises of every observer bandwidth, in noise floors.
+    /// What the effect changes in the surprises of every observer bandwidth, in prediction floors.
     std::vector<std::vector<double>> change(const Sized& s, double u) const
     {
         std::vector<std::vector<double>> all;

@@ -63,11 +63,11 @@ inline constexpr LadderRules ladder{
     .worth_telling = 0.1,  // of the squares; below, it is the scatter of blocks, not a dependence
 };
 
-/// Least mean square of a held-out window that counts, in squares of the noise floor. Reason: a joint at rest between
-/// two steps of its encoder is predicted to any number of digits by whatever holds it at rest, and the logarithm of
-/// nothing outweighs all motion; a documented noise is less than three times too high. Evidence: on a hobby servo with
-/// its motor off for three quarters of two records a drift gained 7.0 of mean log square there and 0.03 to 0.15 in the
-/// other two folds, and hid the load-dependent friction, which took twice as much of the squares.
+/// Least mean square of a held-out window that counts, in squares of the prediction floor. Reason: a joint at rest
+/// between two steps of its encoder is predicted to any number of digits by whatever holds it at rest, and the
+/// logarithm of nothing outweighs all motion; a documented noise is less than three times too high. Evidence: on a
+/// hobby servo with its motor off for three quarters of two records a drift gained 7.0 of mean log square there and
+/// 0.03 to 0.15 in the other two folds, and hid the load-dependent friction, which took twice as much of the squares.
 inline constexpr double least_square_of_window = 0.1;
 /// Part of the explainable gap beyond the corrections that the first rung must take. Reason: a cause that takes less is
 /// not the main cause. Evidence: in other cases, of eight values none lies between 0.3 and 0.64.
@@ -93,7 +93,7 @@ inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
 inline constexpr double worth_a_search_of_pairs = 0.1;
 /// Probability that a rung is wrong although the ladder leaves only noise. Reason: twice that of a cause that needs no
 /// corrections (`doubt_of_accepted`), because corrections may have absorbed a part of another cause. Evidence: the nine
-/// rungs with 0.97 in docs/validation.md and in other cases are right (seven machines of an arm, a cogging, an
+/// rungs with 0.97 in docs/validation-history.md and in other cases are right (seven machines of an arm, a cogging, an
 /// asymmetry).
 inline constexpr double doubt_of_noise = 0.03;
 /// Added to `doubt_of_noise` in proportion to the remainder, in full at `nearest_in_shape` of the gap beyond the
@@ -138,9 +138,9 @@ inline constexpr double doubt_of_finding = 0.02;
 inline constexpr double finding_and_more = 0.5;
 /// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
 /// Reason: several parameters together can imitate many causes. Evidence: of 28 such answers on fresh dirty draws
-/// (docs/validation.md) 21 are joints whose file is off and nothing else, and seven have another cause (an effort gain,
-/// a compliance, a changing inertia, an asymmetry of 5 %, a viscous friction, a Stribeck peak, an inertia with a
-/// filter); the two with 0.9 are right.
+/// (docs/validation-history.md) 21 are joints whose file is off and nothing else, and seven have another cause (an
+/// effort gain, a compliance, a changing inertia, an asymmetry of 5 %, a viscous friction, a Stribeck peak, an inertia
+/// with a filter); the two with 0.9 are right.
 inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.75;
 /// Part of the squares that all corrections take. A correction is reported as a wrong parameter if its removal costs
 /// that much. Reason: a parameter that only follows the others costs less. Definition: a wrong parameter of the file is
@@ -201,13 +201,13 @@ inline constexpr double completed = 0.94, taken_by_partner = 0.75;
 /// the whole loop are noisy and would accept causes that predictions show to be wrong; a remainder of a single that no
 /// partner takes is no second effect. Evidence: in other cases, of 71 values none lies between 0.89 and 0.96.
 inline constexpr double mostly_explained = 0.9;
-/// `slack_of_floor`: part of the mean square above the noise floor; `deviations_of_floor`: standard deviations of
+/// `slack_of_floor`: part of the mean square above the prediction floor; `deviations_of_floor`: standard deviations of
 /// repeated simulations. Both still count as noise. Reason: two integrators differ, and a documented noise is slightly
 /// off. Evidence: none of 300 joints without an effect raised an alarm (docs/validation.md).
 inline constexpr double slack_of_floor = 0.06, deviations_of_floor = 4;
-/// Misfit in multiples of the noise floor, at the fastest observer, above which a cause is rejected whatever the noise.
-/// Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44 values
-/// that were compared with it none lies between 2.7 and 4.2.
+/// Misfit in multiples of the prediction floor, at the fastest observer, above which a cause is rejected whatever the
+/// noise. Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44
+/// values that were compared with it none lies between 2.7 and 4.2.
 inline constexpr double hopeless = 3;
 /// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
 /// Definition: a wave that is worth the word has turned back once.
@@ -222,9 +222,9 @@ inline constexpr double beside_bound = 0.001, implausible_size = 10, least_prior
 /// stand at it to the last digit, and the nearest other at 0.90 of it.
 inline constexpr double inside_bound = 0.01;
 /// `signature_correlation`: correlation, second by second, of the residual and what an effect takes out of it.
-/// `acting_square`: mean square in multiples of the noise floor above which the effect acts there. Reason: half of the
-/// squares of a second are then due to the effect. Definition: a signature is half of the squares (0.7² = 0.49) where
-/// the effect makes at least twice the noise.
+/// `acting_square`: mean square in multiples of the prediction floor above which the effect acts there. Reason: half of
+/// the squares of a second are then due to the effect. Definition: a signature is half of the squares (0.7² = 0.49)
+/// where the effect makes at least twice the noise.
 inline constexpr double signature_correlation = 0.7, acting_square = 4;
 /// Noise standard deviations that an effect of usual size must reach to be detectable. Reason: what hardly exceeds the
 /// noise would be found in one record and not in the next. Definition: `insufficient-data` means that no effect of
@@ -262,7 +262,7 @@ inline constexpr double slack_of_runs = 1.25;
 /// would be within its spread. Evidence: in 12 blind cases (seed 4122), `own_part`: all 64 values that were compared
 /// with it are at most 0.00066.
 inline constexpr double own_part = 0.02, own_readings = 20;
-/// Mean square in multiples of the noise floor, at the fastest and the middle observer, and the part of the misfit
+/// Mean square in multiples of the prediction floor, at the fastest and the middle observer, and the part of the misfit
 /// beyond the noise, at which a cause explains to within noise. Reason: as `slack_of_floor`, with room for parameters
 /// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards. Evidence: in 12 blind cases
 /// (seed 4122), `accepted_part`: of 15 values that were compared with it none lies between -0.049 and 0.91.

@@ -73,7 +73,7 @@ int exit_code_of(const GapCheck& check)
     const auto& now = check.comparison.after;
     if (now.interrupted) return exit_interrupted;
     if (now.verdict == Verdict::insufficient_data) return exit_insufficient;
-    return check.passes() ? exit_done : exit_check_failed;
+    return check.passes() ? exit_done : exit_not_met;
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ int design(const Options& options, const Invocation& invocation)
         }
     }
     if (!options.directory.empty()) write_files(answer, described, json, options);
-    return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_check_failed;
+    return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_not_met;
 }
 
 void add_set_point_options(CLI::App& verb, CLI::Option& holds, SetPointOptions& held)

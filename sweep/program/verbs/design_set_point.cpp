@@ -94,7 +94,7 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
             return exit_interrupted;
         }
     }
-    return best && best->rest_error <= options.rest_error ? exit_done : exit_check_failed;
+    return best && best->rest_error <= options.rest_error ? exit_done : exit_not_met;
 }
 
 }  // namespace stickslip

@@ -53,7 +53,7 @@ int figures(const Options& options)
                    nlohmann::ordered_json{{"format", "stickslip-figures/1"}, {"numbers", std::move(numbers)}}.dump(2));
     else
         fmt::print("page: {}\n", page.string());
-    return met ? exit_done : exit_check_failed;
+    return met ? exit_done : exit_not_met;
 }
 
 }  // namespace

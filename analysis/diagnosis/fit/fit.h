@@ -42,6 +42,11 @@ inline double rows_of(const std::vector<Case>& cases)
 
 /// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).
 inline constexpr std::array<double, 3> levels{110, 50, 20};
+/// A slower one, rad/s (83 ms): what builds up over many rows, where the loop as a whole is not simulated.
+inline constexpr double slow_observer = 12;
+
+/// Errors of a model hang together for about so many seconds, which are one block of the objective and one reading.
+inline constexpr double block_time = 0.2;
 
 /// Some effects together, each in one of its forms.
 struct Candidate {

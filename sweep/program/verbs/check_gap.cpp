@@ -13,6 +13,7 @@
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

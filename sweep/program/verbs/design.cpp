@@ -20,6 +20,7 @@
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/design_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -23,6 +23,7 @@
 #include "sweep/report/pages/set_point_design_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/set_point_scan.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/verdict_text.h"
 

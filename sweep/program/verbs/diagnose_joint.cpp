@@ -16,6 +16,7 @@
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/write_linked_report.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/refusal_text.h"
 #include "sweep/words/verdict_text.h"
 

@@ -3,6 +3,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/figures_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

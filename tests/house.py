@@ -29,8 +29,8 @@ FORBIDDEN = {
 }
 HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
 # Pages and words are drawn from answers and compute nothing: these rooms include no room that computes. Headers of answers
-# in sweep/study may, for the structs; the test report_links holds the program part against what it links.
-COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis|numerics)/|tbb/")
+# in sweep/study may, for the structs, and so may the thresholds of the policy, which sentences state; the test report_links holds the program part against what it links.
+COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis/(?!policy/)|numerics)/|tbb/")
 DRAWS = ("sweep/report/figures", "sweep/report/pages", "sweep/words")
 INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -106,6 +106,9 @@ def comment_complaints():
 POLICY = "analysis/diagnosis/policy/policy.h"
 DECIMAL = r"\d+(?:\.\d+(?:e[-+]?\d+)?|e[-+]?\d+)"
 COMPARED = re.compile(rf"(?:[<>]=?|[!=]=)\s*-?(?:[\w.:\[\]()]+ \* )?{DECIMAL}\b|\b{DECIMAL}(?: \* [\w.:\[\]()]+)?\s*(?:[<>]=?|[!=]=)")
+# A whole number as a factor of what is compared, from 3 on; and a bare number that a condition chooses.
+WHOLE_FACTOR = re.compile(r"[<>]=?\s*-?(?:[3-9]|\d{2,}) \* |(?<![\w.])(?:[3-9]|\d{2,}) \* [\w.:\[\]()]+\s*[<>]=?[^<>]")
+CHOSEN = re.compile(rf"\? (?:{DECIMAL} : -?[\d.]+|-?[\d.]+ : {DECIMAL})\b")
 OWN_THRESHOLD = re.compile(r"constexpr double ")
 VERDICT = "analysis/diagnosis/verdict"
 
@@ -119,6 +122,21 @@ OWN_NUMBERS = re.compile(r"\s*(?:inline |static )*constexpr (?:double|int|std::s
 def compared_with(name, code):
     factor = r"[\w.:\[\]()]+"
     return re.search(rf"(?:[<>]=?|[!=]=) -?(?:{factor} \* )*{name}\b|\b{name}(?: \* {factor})* (?:[<>]=?|[!=]=) ", code)
+
+
+def shared_threshold_complaints():
+    """The same of a number that a header of the diagnosis defines and a file that writes answers compares with."""
+    shared = {}
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.suffix == ".h" and p.as_posix() != POLICY):
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            if line.startswith("inline constexpr double") and "numerical: " not in line and (own := OWN_NUMBERS.match(line.split("//")[0])):
+                shared |= {name: f"{path}:{number}" for name in re.findall(r"(\w+) = [^,]*\d", own.group(1))}
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.suffix == ".cpp"):
+        text = (SOURCE / path).read_text(encoding="utf-8")
+        code = re.sub(r"//.*", "", text)
+        for name, place in shared.items():
+            if WRITES_ANSWER.search(text) and compared_with(name, code):
+                yield f"{place}: {name} decides an answer in {path}, beside the policy"
 
 
 def own_threshold_complaints():
@@ -141,8 +159,11 @@ def policy_complaints():
     for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             code = re.sub(r'"[^"]*"', "", line.split("//")[0])
-            if COMPARED.search(code) and "constexpr" not in code:
+            scan = code.lstrip().startswith("for (") or "// numerical: " in line
+            if (COMPARED.search(code) or not scan and WHOLE_FACTOR.search(code)) and "constexpr" not in code:
                 yield f"{path}:{number}: compares with a bare number; name it here (numerical limit) or in {POLICY} (threshold)"
+            if CHOSEN.search(code) and not scan:
+                yield f"{path}:{number}: chooses a bare number; thresholds stand in {POLICY}, numerical limits say \"// numerical: WHAT\""
             if path.is_relative_to(VERDICT) and path.suffix == ".cpp" and OWN_THRESHOLD.search(code) and "//" not in line:
                 yield f"{path}:{number}: a number of the verdict without a word; thresholds stand in {POLICY}"
     if not (SOURCE / POLICY).exists():
@@ -238,6 +259,7 @@ def main():
     wrong += comment_complaints()
     wrong += policy_complaints()
     wrong += own_threshold_complaints()
+    wrong += shared_threshold_complaints()
     wrong += refusal_complaints()
     for line in wrong:
         print(line)

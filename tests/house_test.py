@@ -50,6 +50,16 @@ CASES = [
     ("a comment that names a file that is gone", {"analysis/base/law.cpp": "// as in analysis/base/gone.h\n"}, "which is not there"),
     ("a comment that cites a paper of nobody", {"tests/analysis/law_test.cpp": "// as in PHYSICS §3\n"}, "cites PHYSICS"),
     ("a bare number in the diagnosis", {"analysis/diagnosis/fit/fit.cpp": "bool good = share > 0.35;\n"}, "compares with a bare number"),
+    ("a whole factor in the diagnosis", {"analysis/diagnosis/fit/fit.cpp": "bool still = span <= 8 * resolution;\n"},
+     "compares with a bare number"),
+    ("a number that the diagnosis chooses", {"analysis/diagnosis/fit/fit.cpp": "double most = coarse ? 2 : 1.25;\n"},
+     "chooses a bare number"),
+    ("a threshold of a header", {"analysis/diagnosis/fit/fit.h": "#pragma once\ninline constexpr double most = 0.12;\n",
+                                 "analysis/diagnosis/fit/fit.cpp": "if (share > most) d.verdict = Verdict::gap;\n"},
+     "most decides an answer"),
+    ("one that is numerical", {"analysis/diagnosis/fit/fit.h": "#pragma once\ninline constexpr double most = 0.12;  ///< numerical: a scan\n",
+                               "analysis/diagnosis/fit/fit.cpp": "if (share > most) d.verdict = Verdict::gap;\n"}, None),
+    ("a page that reads the policy", {"sweep/words/text.cpp": '#include "analysis/diagnosis/policy/policy.h"\n'}, None),
     ("words in a refusal of the diagnosis", {"analysis/diagnosis/fit/fit.cpp": 'throw std::runtime_error("no");\n'}, "refuses with words"),
 ]
 

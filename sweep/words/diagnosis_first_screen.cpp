@@ -1,5 +1,6 @@
 #include "sweep/words/diagnosis_first_screen.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 
@@ -53,10 +54,6 @@ std::vector<std::string> one_of(const Diagnosis& d)
     return causes;
 }
 
-/// From which probability on a cause is stated flatly, and from which on as probable. Reason: nine in ten is what the
-/// answers at that probability kept in blind cases; below one half the rest together is likelier than the cause.
-constexpr double told_flatly = 0.9, told_as_probable = 0.5;
-
 /// That it is one of the causes that the first sentence names.
 double probability_of_named(const Diagnosis& d)
 {
@@ -81,8 +78,9 @@ std::string said_by_probability(const Diagnosis& d)
         causes.size() > 1 ? fmt::format("one of {}, which these records cannot distinguish", fmt::join(causes, ", "))
                           : causes[0];
     const double sure = probability_of_named(d);
-    if (sure >= told_flatly) return "The gap comes from " + which;
-    if (sure >= told_as_probable) return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
+    if (sure >= gap::policy::stated_flatly) return "The gap comes from " + which;
+    if (sure >= gap::policy::stated_as_probable)
+        return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
     return fmt::format("The likeliest cause of the gap is {} ({}; that it is none of those listed: {})", which,
                        whole_percent(sure), whole_percent(probability_of_none(d)));
 }
@@ -133,8 +131,8 @@ std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& aft
 {
     const std::string text = cause_text(d.effects[0], before, after);
     const double sure = d.effects[0].probability;
-    if (sure >= told_flatly) return text;
-    return fmt::format("{} ({}): {}", sure >= told_as_probable ? "Probable" : "Likeliest, not certain",
+    if (sure >= gap::policy::stated_flatly) return text;
+    return fmt::format("{} ({}): {}", sure >= gap::policy::stated_as_probable ? "Probable" : "Likeliest, not certain",
                        whole_percent(sure), text);
 }
 

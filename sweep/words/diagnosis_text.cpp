@@ -1,5 +1,6 @@
 #include "sweep/words/diagnosis_text.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/stage_text.h"
 
@@ -22,6 +23,9 @@ struct Sentence {
     Code code;
     const char* words;
 };
+
+// the numbers that stand as words below
+static_assert(gap::policy::shown == 5 && gap::policy::implausible_size == 10 && gap::policy::rows_of_rig_block == 20);
 
 constexpr Sentence sentences[] = {
     {Code::told, "{text}"},

@@ -226,6 +226,9 @@ inline constexpr double inside_bound = 0.01;
 /// the squares of a second are then due to the effect. Definition: a signature is half of the squares (0.7² = 0.49)
 /// where the effect makes at least twice the noise.
 inline constexpr double signature_correlation = 0.7, acting_square = 4;
+/// Part of the seconds in which an effect acts that must have its signature. Reason: a second may be disturbed by
+/// something else. Definition: two thirds.
+inline constexpr double most_seconds = 2.0 / 3;
 /// Noise standard deviations that an effect of usual size must reach to be detectable. Reason: what hardly exceeds the
 /// noise would be found in one record and not in the next. Definition: `insufficient-data` means that no effect of
 /// usual size makes five times the noise.
@@ -267,6 +270,9 @@ inline constexpr double own_part = 0.02, own_readings = 20;
 /// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards. Evidence: in 12 blind cases
 /// (seed 4122), `accepted_part`: of 15 values that were compared with it none lies between -0.049 and 0.91.
 inline constexpr double accepted_fast = 1.12, accepted_middle = 1.15, accepted_part = 0.8;
+/// Part of the records that must be within `accepted_middle`. Reason: one record may hold a lost step or a noise that
+/// is not documented, which the middle observer shows for longer. Definition: two thirds.
+inline constexpr double most_records = 2.0 / 3;
 /// Penalty of score for each parameter. Reason: a parameter that fits only noise gains less in thousands of rows.
 /// Evidence: with half of it and with twice of it eight other cases keep verdict and names.
 inline constexpr double price_of_parameter = 0.003;
@@ -377,9 +383,29 @@ inline constexpr double clear_margin = 3;
 /// Rows of a table of outcomes, and rows of its rarer outcome, below which it is no answer. Reason: a boundary with two
 /// numbers needs rows on both of its sides. Definition: fewer rows are insufficient data.
 inline constexpr double fewest_outcomes = 8, fewest_of_either = 3;
+/// Probability above which a row of a table is predicted to stick and slip. Reason: the likelier outcome is the
+/// predicted one. Definition: a half.
+inline constexpr double likelier_than_not = 0.5;
+/// Part of the rows of a table that are noted wrongly or disturbed: no row costs more than -ln of half of it. Reason:
+/// one wrong row would outweigh all others in a likelihood without it. Definition: one row in fifty.
+inline constexpr double wrong_rows = 0.02;
+/// Spreads of a measured amplitude that it costs at most. Reason: as `wrong_rows`, of amplitudes. Definition: an
+/// amplitude that is off by three spreads is wrong, whatever it is.
+inline constexpr double worst_amplitude = 3;
 /// Kinds of friction that explain a table alike from which on none of them is named. Reason: a choice among so many is
 /// no answer. Definition: two kinds are told with both names.
 inline constexpr double too_many_kinds = 3;
+/// Multiple of what the encoder resolves (its step or its noise), peak to peak, up to which a position does not move.
+/// Reason: of 16,000 readings of one position the largest and the least are so far apart (plus and minus four standard
+/// deviations). Definition: a record whose position spans no more is insufficient data.
+inline constexpr double still = 8;
+/// Ratio of the noise that readings show to the documented one, above which the estimate takes its place: of a
+/// documented noise (`noise_believed`), of one beside a grid that is coarser than documented (`noise_beside_grid`), and
+/// of the rounding of an encoder step where no noise is documented (`noise_of_step`). Reason: estimates of white noise
+/// agree to a hundredth or two (`noise_not_white`); a noise is documented for a type of sensor, and a coarse grid makes
+/// third differences of its own; a step alone says nothing of noise. Definition: a documented noise is too small where
+/// readings show a quarter more, beside a coarse grid twice as much.
+inline constexpr double noise_believed = 1.25, noise_beside_grid = 2, noise_of_step = 1.02;
 /// Rows below which a record is not judged. Reason: its noise is estimated from third differences and its misfit from
 /// blocks of rows; both need some. Definition: fewer rows are insufficient data.
 inline constexpr double fewest_rows = 100;
@@ -391,8 +417,18 @@ inline constexpr double findings_of_another_joint = 3;
 /// missing has to explain most of the gap. Definition: half.
 inline constexpr double worth_a_hint = 0.5;
 
+// Stating the answer (sweep/words).
+
+/// Probability of the named cause from which on it is stated as a fact, and from which on as probable. Reason: below a
+/// half the other causes together are likelier than the named one. Definition: the words "comes from" and "probably
+/// comes from".
+inline constexpr double stated_flatly = 0.9, stated_as_probable = 0.5;
+
 // Deciding between laws of a friction rig (rig/).
 
+/// Rows of a rig's record that are held out together, every third block in turn. Reason: whoever measures writes more
+/// rows where more happens, so that every third has its part of a transient. Definition: twenty rows.
+inline constexpr std::size_t rows_of_rig_block = 20;
 /// Part of the RMS on held-out rows by which a law of a rig must be better than its friction at one level to be named.
 /// Reason: one number more takes a little from any scatter. Evidence: in the simulated rigs of the tests laws that are
 /// there take 0.51 to 0.83 of it; of a constant friction the best law takes nothing.

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/rig/rig_laws.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/joint/joint.h"
 #include "analysis/numerics/optimise.h"
 
@@ -31,7 +32,7 @@ bool has_memory(RigLaw law)
 /// -1: no row is left out.
 bool left_out(std::size_t k, int fold)
 {
-    constexpr std::size_t block = 20;  // rows
+    constexpr std::size_t block = policy::rows_of_rig_block;
     return fold >= 0 && static_cast<int>(k / block % rig_folds) == fold;
 }
 

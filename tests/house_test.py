@@ -41,6 +41,7 @@ CASES = [
      "lists walk() of analysis/base/law.cpp, which is not long"),
     ("functions listed of a file that is gone", {EXCEPTIONS: '[long_functions]\n"analysis/base/gone.cpp" = ["walk"]\n'},
      "lists functions of analysis/base/gone.cpp, which is not there"),
+    ("a long function of a test", {"tests/analysis/law.h": body(61)}, "walk() has 61 lines; part it"),
     ("an arrow upwards", {"analysis/base/law.cpp": '#include "sweep/study/spec.h"\n'}, "lies on a floor above"),
     ("a circle", {"analysis/base/law.cpp": '#include "analysis/joint/joint.h"\n',
                   "analysis/joint/joint.h": '#pragma once\n#include "analysis/base/law.h"\n'}, "in a circle"),

@@ -70,10 +70,10 @@ struct Cause {
     ConfidenceInterval heldout_gain_interval;
     double force_gain = std::numeric_limits<double>::quiet_NaN();  ///< the same for the drive force, see DriveForceGap
     ConfidenceInterval force_gain_interval;
-    bool signature = false;  ///< it is in the records
-    bool plausible = true;   ///< its numbers are not at a bound and not out of all proportion
-    std::string tell_tale;   ///< what the signature is
-    double misfit = 0;       ///< score of the fit; 0 is noise
+    bool signature = false;      ///< it is in the records
+    bool plausible = true;       ///< its numbers are not at a bound and not out of all proportion
+    std::string signature_text;  ///< what the signature is
+    double misfit = 0;           ///< score of the fit; 0 is noise
 };
 
 /// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.

@@ -69,7 +69,7 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
 
     Section what{"what",
                  "Which law",
-                 d.effects.empty() ? "" : "Signature of the best: " + d.effects[0].tell_tale + ".",
+                 d.effects.empty() ? "" : "Signature of the best: " + d.effects[0].signature_text + ".",
                  {},
                  {laws_table(a), numbers_table(a)}};
     Section where{"where", "Where the nominal joint is wrong", "", {}, {}};

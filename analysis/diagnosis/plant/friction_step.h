@@ -2,6 +2,7 @@
 // (simulation/lanes/pack.h), a single one being a pack of one: each has its numbers, all have the same terms.
 #pragma once
 #include "analysis/diagnosis/plant/plant.h"
+#include "analysis/friction/memory_step.h"
 #include "analysis/simulation/lanes/sine.h"
 
 namespace stickslip::gap {
@@ -45,9 +46,6 @@ struct FrictionState {
     P speed = 0;    ///< lagged speed, for a level that follows the velocity late
     P force = 0;    ///< of a whole curve that is followed late
 };
-
-/// Added to the speed inside the logarithms of the memory, as a part of V*: what keeps them finite at rest.
-inline constexpr double memory_floor = 1e-3;
 
 /// Where a step happens and what passes through, as far as friction asks.
 template <class P>
@@ -132,15 +130,10 @@ template <class P>
 P remembered(const FrictionPack<P>& r, const P& theta, const P& speed, const P& h)
 {
     const P slip = speed * h * r.per_L;
-    if (!r.has.ageing) {
-        const P settled = -r.B * logarithm_of(speed, r);
-        return settled + (theta - settled) * exp_of(-slip);
-    }
-    // in terms of the age Θ: θ = B ln(Θ V*/L), Θ̇ = 1 − |v| Θ/L
-    constexpr double least_slip = 1e-12;
-    const P age = r.L / r.V_star * exp_of(theta / r.B), lasts = r.L / speed;
-    const P next = select(P(least_slip) < slip, lasts + (age - lasts) * exp_of(-slip), age + h);
-    return r.B * lanes::logarithm(next * r.V_star / r.L);
+    const auto exponential = [](const P& x) { return exp_of(x); };
+    if (!r.has.ageing) return after_slip(theta, -r.B * logarithm_of(speed, r), slip, exponential);
+    const auto logarithm = [](const P& x) { return lanes::logarithm(x); };
+    return after_ageing(theta, r.B, r.L, r.V_star, speed, h, slip, exponential, logarithm);
 }
 
 /// The state after sliding at this mean speed for h: exact for constant speed.

@@ -22,7 +22,7 @@ Law law_of()
 {
     Law law;
     law.f0 = 60, law.A = A, law.V_star = V_star;
-    law.B = {B}, law.L = {L};
+    law.B.push_back(B), law.L.push_back(L);
     return law;
 }
 

@@ -6,7 +6,7 @@ Checks that arrows between floors go down only, that no folders include each oth
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
 from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
 than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
-sentences, and that comments name no file or document that is not there.
+sentences, that tests mirror the rooms, and that comments name no file or document that is not there.
 """
 import re
 import sys
@@ -194,6 +194,30 @@ def refusal_complaints():
                 yield f"{path}:{number}: refuses with words; give CannotAnswer a code for it, and sweep/words its sentence"
 
 
+# Tests of no room: each with its reason.
+OF_NO_ROOM = {
+    "tests/sweep/found": "joints that an answer was wrong for",
+    "tests/sweep/engine/kill_test.cpp": "a sweep that is killed, as a program",
+}
+
+
+def mirror_complaints():
+    """A test lies in the folder of tests/ that mirrors what it tests: it, or a header of tests beside it, includes something of
+    that room, or it bears the name of one of its files."""
+    for path in files(("tests",)):
+        if path.parts[1] not in ROOMS or not path.name.endswith("_test.cpp"):
+            continue
+        if any(path.is_relative_to(place) for place in OF_NO_ROOM):
+            continue
+        room = Path(*path.parts[1:-1])
+        names = INCLUDE.findall((SOURCE / path).read_text(encoding="utf-8"))
+        for name in [name for name in names if Path(name).parent == path.parent and (SOURCE / name).exists()]:
+            names += INCLUDE.findall((SOURCE / name).read_text(encoding="utf-8"))
+        same_name = (SOURCE / room / path.name.replace("_test.cpp", ".cpp")).exists()
+        if not same_name and not any(Path(name).is_relative_to(room) for name in names):
+            yield f"{path}: includes nothing of {room}; a test lies where what it tests lies"
+
+
 def files(rooms=ROOMS):
     for room in rooms:
         for path in sorted((SOURCE / room).rglob("*")):
@@ -257,6 +281,7 @@ def main():
     wrong += public_complaints()
     wrong += house_sizes.complaints(SOURCE, files())
     wrong += comment_complaints()
+    wrong += mirror_complaints()
     wrong += policy_complaints()
     wrong += own_threshold_complaints()
     wrong += shared_threshold_complaints()

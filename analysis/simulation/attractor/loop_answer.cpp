@@ -4,9 +4,6 @@
 #include <cmath>
 
 namespace stickslip {
-namespace {
-
-}  // namespace
 
 LoopQuestion loop_question(const NonlinearOptions& options)
 {

@@ -1,4 +1,4 @@
-// The example of PHYSICS §3-4 as a user writes it: A = 1 N, B = 1.5 N, L = 10 µm, f0 = 60 N at V* = 1 mm/s.
+// The example joint as a user writes it: A = 1 N, B = 1.5 N, L = 10 µm, f0 = 60 N at V* = 1 mm/s.
 #pragma once
 #include <sstream>
 #include <string>

@@ -6,7 +6,7 @@ Checks that arrows between floors go down only, that no folders include each oth
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
 from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
 than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
-sentences, and that comments name no file that is gone.
+sentences, that tests mirror the rooms, and that comments name no file or document that is not there.
 """
 import re
 import sys
@@ -29,8 +29,8 @@ FORBIDDEN = {
 }
 HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
 # Pages and words are drawn from answers and compute nothing: these rooms include no room that computes. Headers of answers
-# in sweep/study may, for the structs; the test report_links holds the program part against what it links.
-COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis|numerics)/|tbb/")
+# in sweep/study may, for the structs, and so may the thresholds of the policy, which sentences state; the test report_links holds the program part against what it links.
+COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis/(?!policy/)|numerics)/|tbb/")
 DRAWS = ("sweep/report/figures", "sweep/report/pages", "sweep/words")
 INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -83,21 +83,32 @@ def internal_complaints():
 NAMED_FILE = re.compile(r"\b(?:" + "|".join(ROOMS) + r")/[\w/.-]+\.(?:h|cpp)\b")
 
 
+NAMED_PAGE = re.compile(r"\b[\w/-]+\.md\b")
+# A paper by a name in capitals, as "PAPER §3": of the documents of a design, which no reader has.
+NAMED_PAPER = re.compile(r"\b(?:[A-Z]{3,}(?:\.md)?(?= §)|INTERFACE\b|PHYSICS\b)")
+
+
 def comment_complaints():
-    """A comment that sends its reader to a file names one that is there."""
-    for path in files():
+    """A comment that sends its reader to a file or a page names one that is there."""
+    for path in [*files(), *files(("tests",))]:
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             if "#include" in line or "//" not in line:
                 continue
-            for name in NAMED_FILE.findall(line[line.index("//"):]):
-                if not (SOURCE / name).exists():
+            comment = line[line.index("//"):]
+            for name in NAMED_FILE.findall(comment) + NAMED_PAGE.findall(comment):
+                if not (SOURCE / name).exists() and not (SOURCE / path.parent / name).exists():
                     yield f"{path}:{number}: names {name}, which is not there"
+            for name in NAMED_PAPER.findall(comment):
+                yield f"{path}:{number}: cites {name}, which is no document of this repository"
 
 
 # What decides an answer of the diagnosis has a name, a reason and its evidence in one file.
 POLICY = "analysis/diagnosis/policy/policy.h"
 DECIMAL = r"\d+(?:\.\d+(?:e[-+]?\d+)?|e[-+]?\d+)"
 COMPARED = re.compile(rf"(?:[<>]=?|[!=]=)\s*-?(?:[\w.:\[\]()]+ \* )?{DECIMAL}\b|\b{DECIMAL}(?: \* [\w.:\[\]()]+)?\s*(?:[<>]=?|[!=]=)")
+# A whole number as a factor of what is compared, from 3 on; and a bare number that a condition chooses.
+WHOLE_FACTOR = re.compile(r"[<>]=?\s*-?(?:[3-9]|\d{2,}) \* |(?<![\w.])(?:[3-9]|\d{2,}) \* [\w.:\[\]()]+\s*[<>]=?[^<>]")
+CHOSEN = re.compile(rf"\? (?:{DECIMAL} : -?[\d.]+|-?[\d.]+ : {DECIMAL})\b")
 OWN_THRESHOLD = re.compile(r"constexpr double ")
 VERDICT = "analysis/diagnosis/verdict"
 
@@ -111,6 +122,21 @@ OWN_NUMBERS = re.compile(r"\s*(?:inline |static )*constexpr (?:double|int|std::s
 def compared_with(name, code):
     factor = r"[\w.:\[\]()]+"
     return re.search(rf"(?:[<>]=?|[!=]=) -?(?:{factor} \* )*{name}\b|\b{name}(?: \* {factor})* (?:[<>]=?|[!=]=) ", code)
+
+
+def shared_threshold_complaints():
+    """The same of a number that a header of the diagnosis defines and a file that writes answers compares with."""
+    shared = {}
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.suffix == ".h" and p.as_posix() != POLICY):
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            if line.startswith("inline constexpr double") and "numerical: " not in line and (own := OWN_NUMBERS.match(line.split("//")[0])):
+                shared |= {name: f"{path}:{number}" for name in re.findall(r"(\w+) = [^,]*\d", own.group(1))}
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.suffix == ".cpp"):
+        text = (SOURCE / path).read_text(encoding="utf-8")
+        code = re.sub(r"//.*", "", text)
+        for name, place in shared.items():
+            if WRITES_ANSWER.search(text) and compared_with(name, code):
+                yield f"{place}: {name} decides an answer in {path}, beside the policy"
 
 
 def own_threshold_complaints():
@@ -133,8 +159,11 @@ def policy_complaints():
     for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             code = re.sub(r'"[^"]*"', "", line.split("//")[0])
-            if COMPARED.search(code) and "constexpr" not in code:
+            scan = code.lstrip().startswith("for (") or "// numerical: " in line
+            if (COMPARED.search(code) or not scan and WHOLE_FACTOR.search(code)) and "constexpr" not in code:
                 yield f"{path}:{number}: compares with a bare number; name it here (numerical limit) or in {POLICY} (threshold)"
+            if CHOSEN.search(code) and not scan:
+                yield f"{path}:{number}: chooses a bare number; thresholds stand in {POLICY}, numerical limits say \"// numerical: WHAT\""
             if path.is_relative_to(VERDICT) and path.suffix == ".cpp" and OWN_THRESHOLD.search(code) and "//" not in line:
                 yield f"{path}:{number}: a number of the verdict without a word; thresholds stand in {POLICY}"
     if not (SOURCE / POLICY).exists():
@@ -165,10 +194,34 @@ def refusal_complaints():
                 yield f"{path}:{number}: refuses with words; give CannotAnswer a code for it, and sweep/words its sentence"
 
 
-def files():
-    for room in ROOMS:
+# Tests of no room: each with its reason.
+OF_NO_ROOM = {
+    "tests/sweep/found": "joints that an answer was wrong for",
+    "tests/sweep/engine/kill_test.cpp": "a sweep that is killed, as a program",
+}
+
+
+def mirror_complaints():
+    """A test lies in the folder of tests/ that mirrors what it tests: it, or a header of tests beside it, includes something of
+    that room, or it bears the name of one of its files."""
+    for path in files(("tests",)):
+        if path.parts[1] not in ROOMS or not path.name.endswith("_test.cpp"):
+            continue
+        if any(path.is_relative_to(place) for place in OF_NO_ROOM):
+            continue
+        room = Path(*path.parts[1:-1])
+        names = INCLUDE.findall((SOURCE / path).read_text(encoding="utf-8"))
+        for name in [name for name in names if Path(name).parent == path.parent and (SOURCE / name).exists()]:
+            names += INCLUDE.findall((SOURCE / name).read_text(encoding="utf-8"))
+        same_name = (SOURCE / room / path.name.replace("_test.cpp", ".cpp")).exists()
+        if not same_name and not any(Path(name).is_relative_to(room) for name in names):
+            yield f"{path}: includes nothing of {room}; a test lies where what it tests lies"
+
+
+def files(rooms=ROOMS):
+    for room in rooms:
         for path in sorted((SOURCE / room).rglob("*")):
-            if path.suffix in (".h", ".cpp"):
+            if path.suffix in (".h", ".cpp") and "node_modules" not in path.parts:
                 yield path.relative_to(SOURCE)
 
 
@@ -228,8 +281,10 @@ def main():
     wrong += public_complaints()
     wrong += house_sizes.complaints(SOURCE, files())
     wrong += comment_complaints()
+    wrong += mirror_complaints()
     wrong += policy_complaints()
     wrong += own_threshold_complaints()
+    wrong += shared_threshold_complaints()
     wrong += refusal_complaints()
     for line in wrong:
         print(line)

@@ -81,6 +81,15 @@ def function_complaints(path, text, listed):
         yield f"{EXCEPTIONS}: lists {name}() of {path}, which is not long"
 
 
+def test_complaints(source):
+    """Functions of tests that are no case: a case may be as long as what it tells."""
+    for path in sorted(p for p in (source / "tests").rglob("*") if p.suffix in (".h", ".cpp") and not NOT_OURS & set(p.parts)):
+        own = path.relative_to(source).as_posix()
+        for name, count, why in functions(path.read_text(encoding="utf-8").split("\n")):
+            if count > LONGEST_FUNCTION and "TEST_CASE" not in name and not why:
+                yield f"{own}: {name}() has {count} lines; part it where a part has a name, or say above it \"// In one piece: WHY.\""
+
+
 def tall_complaints(source, listed):
     """Files of any kind above TALLEST_FILE lines, and files listed for nothing."""
     tall = set()
@@ -108,4 +117,4 @@ def complaints(source, files):
         found += file_complaints(path, text)
         found += function_complaints(path, text, long.pop(path, []))
     found += [f"{EXCEPTIONS}: lists functions of {path}, which is not there" for path in sorted(long)]
-    return found + list(tall_complaints(source, exceptions.get("tall_files", {})))
+    return found + list(test_complaints(source)) + list(tall_complaints(source, exceptions.get("tall_files", {})))

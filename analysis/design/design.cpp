@@ -127,24 +127,24 @@ GainChoice judged_at(Judge& judge, const Place& place)
     return judge.thorough(quick.k_p, quick.k_v);
 }
 
-double demanded(const Requirements& r, int i)
+double specified(const Requirements& r, int i)
 {
     return i == 0 ? r.margin : i == 1 ? r.effort_limit : r.least_velocity;
 }
 
-double reached(const GainChoice& c, int i)
+double achieved(const GainChoice& c, int i)
 {
     return i == 0 ? c.margin : i == 1 ? c.peak_effort : c.least_velocity;
 }
 
-bool is_demanded(const Requirements& r, int i)
+bool is_specified(const Requirements& r, int i)
 {
     return i == 0 || (i == 1 ? std::isfinite(r.effort_limit) : is_set(r.least_velocity));
 }
 
 /// How a demand fares, and where it fares best.
 struct Fared {
-    DemandReport report;
+    RequirementReport report;
     GainChoice at;
 };
 
@@ -152,10 +152,10 @@ Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i)
 {
     const auto& r = judge.requirements();
     const auto index = static_cast<std::size_t>(i);
-    DemandReport report;
+    RequirementReport report;
     report.name = demand_names[index];
-    report.demanded = demanded(r, i);
-    report.reached = reached(best, i);
+    report.specified = specified(r, i);
+    report.achieved = achieved(best, i);
     report.met = judge.violations(best)[index] <= tolerance;
     const auto offends = [&judge, index](const GainChoice& c) { return judge.violations(c)[index]; };
     auto at = Search(judge, offends, i).run({place}, true);
@@ -165,7 +165,7 @@ Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i)
                            pace_of(judge.cost()).local);
     }
     const auto choice = judged_at(judge, at);
-    report.attainable = reached(choice, i);
+    report.attainable = achieved(choice, i);
     return {report, choice};
 }
 
@@ -220,7 +220,7 @@ GainRange gain_range(const Joint& joint, const Requirements& r)
 
 namespace {
 
-/// Feasible gains from the margin that the least cost has by itself up to the largest, each margin demanded in turn.
+/// Feasible gains from the margin that the least cost has by itself up to the largest, each margin specified in turn.
 void add_front(Judge& judge, const Requirements& r, const Place& best, const Place& own, double largest,
                const ParallelFor& parallel, GainDesign& design)
 {
@@ -277,11 +277,11 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     std::vector<Fared> demands;
     tell(DesignStage::demands);
     for (int i = 0; i < demand_count; ++i)
-        if (is_demanded(r, i)) demands.push_back(fared(judge, design.best, best, i));
+        if (is_specified(r, i)) demands.push_back(fared(judge, design.best, best, i));
     if (!design.feasible) design.best = nearest_feasible(judge, demands, design.best);
     for (auto& d : demands) {
         const auto i = std::find(demand_names.begin(), demand_names.end(), d.report.name) - demand_names.begin();
-        d.report.reached = reached(design.best, static_cast<int>(i));
+        d.report.achieved = achieved(design.best, static_cast<int>(i));
         d.report.met = judge.violations(design.best)[static_cast<std::size_t>(i)] <= tolerance;
         design.demands.push_back(d.report);
     }

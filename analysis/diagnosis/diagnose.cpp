@@ -108,7 +108,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
 {
     Diagnosis& d = result.diagnosis;
     const bool wrong_controller = !p.audit.findings.empty();
-    if (f.quiet && !wrong_controller)
+    if (f.within_noise && !wrong_controller)
         judge_quiet(p, parallel, d);
     else
         d.verdict = f.named() || wrong_controller ? Verdict::gap : Verdict::unknown;
@@ -116,7 +116,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
 
     // the named set first, then everything that was fitted, by probability
     const auto ranked =
-        f.quiet || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
+        f.within_noise || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
     const Attribution& winner = !f.named() ? f.none : f.by_ladder ? f.judged.winner : *ranked.front().attribution;
     const bool audit_alone = winner.candidate.effects.empty();
     const auto held = hold_out(p.fit(parallel), p.documented, shown ? winner : f.none, runs);
@@ -126,8 +126,9 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     reject_no_gap(d);
     d.notes.insert(d.notes.end(), held.notes.begin(), held.notes.end());
     if (shown && audit_alone) {
-        d.effects.push_back(cause_of(p, f.none, f.quiet ? 1 - policy::doubt_of_finding : policy::finding_and_more));
-        if (!f.quiet) d.reasons.push_back({Note::Code::controller_and_rest});
+        d.effects.push_back(
+            cause_of(p, f.none, f.within_noise ? 1 - policy::doubt_of_finding : policy::finding_and_more));
+        if (!f.within_noise) d.reasons.push_back({Note::Code::controller_and_rest});
     } else if (f.by_ladder) {
         tell_named(p, parallel, f, d);
     } else {
@@ -135,7 +136,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         if (!d.effects.empty() && shown)
             d.effects[0].heldout_gain = held.gain, d.effects[0].heldout_gain_interval = held.gain_interval;
     }
-    if (d.verdict == Verdict::unknown && !f.quiet && !f.why_not) tell_unexplained(f, d);
+    if (d.verdict == Verdict::unknown && !f.within_noise && !f.why_not) tell_unexplained(f, d);
     double audited = 0;
     if (wrong_controller && !p.cases[0].controller_error.empty()) {
         audited = share_of_controller(d.signals) * p.audit.findings[0].gain;
@@ -148,10 +149,10 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     const bool closed_loop = p.cases[0].controller_error.empty();  // else both were found independently
     if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers && closed_loop)
         put_controller_in_order(cause_of(p, f.none, 0), f.judged, d);
-    if (!f.climbed && shown) d.remainder.share = f.quiet ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
+    if (!f.climbed && shown) d.remainder.share = f.within_noise ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) tell_rivals(p, parallel, f, ranked, winner, d);
     if (shown) tell_filter(p, d);
-    const bool settled = f.quiet || f.by_ladder || winner.accepted || wrong_controller;
+    const bool settled = f.within_noise || f.by_ladder || winner.accepted || wrong_controller;
     if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder})) return;
     const Joint documented = result.after;
     result.after = p.cases[0].joint;

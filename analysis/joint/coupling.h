@@ -5,8 +5,8 @@
 namespace stickslip {
 
 /// A normal force that moves with the joint: σ' = displacement x + velocity ẋ + acceleration ẍ, of friction μ σ, with
-/// the Linker-Dieterich effect in the state of the law. Dupont & Bapna (1994); PHYSICS of the coupling in
-/// analysis/README.
+/// the Linker-Dieterich effect in the state of the law. Dupont & Bapna (1994); docs/theory.md, normal load
+/// and neighbours.
 struct NormalLoad {
     double displacement = 0, velocity = 0, acceleration = 0;
     double mu = not_set;   ///< not set: steady friction per friction.normal_load

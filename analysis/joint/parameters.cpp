@@ -1,18 +1,12 @@
 #include "analysis/joint/parameters.h"
 
+#include "analysis/base/number_text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 
 namespace stickslip {
 namespace {
-
-std::string number_text(double value)
-{
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
-}
 
 std::string list_text(const std::vector<double>& values)
 {

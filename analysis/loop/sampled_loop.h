@@ -21,7 +21,7 @@ struct LoopGains {
     bool estimates() const { return velocity != 0 || travelled != 0; }
 };
 
-/// Estimate of INTERFACE §2: ȳ the mean of the last `average` readings, d = (ȳ_k − ȳ_{k−1})/T,
+/// Estimate (docs/theory.md, real loops): ȳ the mean of the last `average` readings, d = (ȳ_k − ȳ_{k−1})/T,
 /// v_k = v_{k−1} + T/(τ + T)(d − v_{k−1}); `exact`: v = C_v x.
 struct LoopTiming {
     double period = 0, delay = 0, tau = 0;

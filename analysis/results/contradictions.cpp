@@ -26,7 +26,7 @@ bool has_reason(const Diagnosis& d, Note::Code code)
 /// What was gained on unseen rows may stand beside a simulation of whole records that gets worse with it: no verdict.
 bool gained_but_worse(const Diagnosis& d)
 {
-    return has_reason(d, Note::Code::withdrawn_worse) && d.verdict == Verdict::unknown && d.overall.worse() &&
+    return has_reason(d, Note::Code::rejected_worse) && d.verdict == Verdict::unknown && d.overall.worse() &&
            std::ranges::all_of(d.ladder, [](const LadderRung& rung) { return rung.probability < 0.5; });
 }
 
@@ -89,7 +89,7 @@ void check_reasons(const Diagnosis& d, Found& found)
         found.push_back("within-noise-and-a-gap");
     const bool noise = has_reason(d, Note::Code::cause_to_noise) || has_reason(d, Note::Code::numbers_to_noise);
     if (noise && !d.remainder.structure.empty()) found.push_back("structure-of-noise");
-    if (has_reason(d, Note::Code::withdrawn_worse) && !d.overall.worse())
+    if (has_reason(d, Note::Code::rejected_worse) && !d.overall.worse())
         found.push_back("withdrawn-as-worse-and-better");
     if (noise && d.verdict != Verdict::gap) found.push_back("to-the-noise-and-not-named");
 }

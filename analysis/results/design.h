@@ -22,10 +22,10 @@ struct GainChoice {
 };
 
 /// A requirement, what was specified, and what the best gains achieve.
-struct DemandReport {
+struct RequirementReport {
     std::string name;  ///< "margin" | "effort_limit" | "least_velocity"
-    double demanded = missing;
-    double reached = missing;     ///< by the best gains
+    double specified = missing;
+    double achieved = missing;    ///< by the best gains
     double attainable = missing;  ///< the most that gains can do for it while every other requirement is met
     bool others_met = true;       ///< false: the others contradict one another; attainable is then of this one alone
     bool met = false;
@@ -39,7 +39,7 @@ struct GainDesign {
     GainChoice best;
     double margin_reach = missing;   ///< margins are looked for up to here; that much means: at least that much
     double steady_effort = missing;  ///< what steady sliding takes without any noise
-    std::vector<DemandReport> demands;
+    std::vector<RequirementReport> demands;
     std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other requirements met
     bool velocity_only_found = false;  ///< whether velocity-only thinking finds gains at all
     GainChoice velocity_only;          ///< its choice, judged with memory

@@ -39,7 +39,7 @@ struct Share {
     std::string name;
     double share = 0;
     ConfidenceInterval interval;
-    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the noise floor
+    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the prediction floor
     std::string unit;
 };
 
@@ -70,10 +70,10 @@ struct Cause {
     ConfidenceInterval heldout_gain_interval;
     double force_gain = std::numeric_limits<double>::quiet_NaN();  ///< the same for the drive force, see DriveForceGap
     ConfidenceInterval force_gain_interval;
-    bool signature = false;  ///< it is in the records
-    bool plausible = true;   ///< its numbers are not at a bound and not out of all proportion
-    std::string tell_tale;   ///< what the signature is
-    double misfit = 0;       ///< score of the fit; 0 is noise
+    bool signature = false;      ///< it is in the records
+    bool plausible = true;       ///< its numbers are not at a bound and not out of all proportion
+    std::string signature_text;  ///< what the signature is
+    double misfit = 0;           ///< score of the fit; 0 is noise
 };
 
 /// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.
@@ -158,7 +158,7 @@ struct NextExperiment {
 };
 
 struct RecordRole {
-    std::string file, role;  ///< fit | held-out
+    std::string file, role;  ///< held-out: every record is, in its turn
 };
 
 /// Traces of one record for the page: measured, and simulated before and after.

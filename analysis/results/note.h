@@ -53,26 +53,26 @@ struct Note {
         filter_as_exponential,  ///< values: the filter's time constant that was found, the documented one; the
                                 ///< documented one discretised as 1 - exp(-T/tau) is the same filter
         // the verdict
-        within_noise,              ///< the nominal joint predicts every record to the noise
-        nothing_would_show,        ///< no effect of usual size, under this excitation
-        controller_and_rest,       ///< the controller differs; something outside the catalogue remains
-        controller_and_numbers,    ///< the controller differs; with the numbers corrected nothing remains
-        numbers_to_noise,          ///< names: corrected, the joint predicts every record to the noise
-        numbers_and_rest,          ///< names: no effect takes a good part of what their correction leaves
-        cause_to_noise,            ///< names: beside the corrections
-        cause_predicts_best,       ///< names: not to the noise
-        unexplained,               ///< values: what the best of the catalogue leaves
-        free_force,                ///< signal: a force of it, of no catalogue; values: what it would take
-        nothing_earns,             ///< no cause takes a part of the gap on unseen data beside the corrections
-        earns_implausible,         ///< names: would reduce it with a number at its bound, or outside what is physical
-        takes_too_little,          ///< names come nearest; values: what they take, what is explainable
-        nearer_force,              ///< names come nearest, but a force of `signal` is clearly better
-        force_beside_numbers,      ///< numbers are off, but a force of `signal` takes `values` of the gap besides
-        force_in_the_rest,         ///< names come nearest, but a force of `signal` explains what they leave
-        withdrawn_worse,           ///< names fit best, but make held-out data worse
-        withdrawn_leaves_most,     ///< names: of the gap on held-out data
-        withdrawn_implausible,     ///< names: more than noise is left, and a number is at its bound
-        withdrawn_in_many_floors,  ///< names; values: noise floors that remain; the noise is not documented
+        within_noise,             ///< the nominal joint predicts every record to the noise
+        nothing_would_show,       ///< no effect of usual size, under this excitation
+        controller_and_rest,      ///< the controller differs; something outside the catalogue remains
+        controller_and_numbers,   ///< the controller differs; with the numbers corrected nothing remains
+        numbers_to_noise,         ///< names: corrected, the joint predicts every record to the noise
+        numbers_and_rest,         ///< names: no effect takes a good part of what their correction leaves
+        cause_to_noise,           ///< names: beside the corrections
+        cause_predicts_best,      ///< names: not to the noise
+        unexplained,              ///< values: what the best of the catalogue leaves
+        free_force,               ///< signal: a force of it, of no catalogue; values: what it would take
+        nothing_earns,            ///< no cause takes a part of the gap on unseen data beside the corrections
+        earns_implausible,        ///< names: would reduce it with a number at its bound, or outside what is physical
+        takes_too_little,         ///< names come nearest; values: what they take, what is explainable
+        nearer_force,             ///< names come nearest, but a force of `signal` is clearly better
+        force_beside_numbers,     ///< numbers are off, but a force of `signal` takes `values` of the gap besides
+        force_in_the_rest,        ///< names come nearest, but a force of `signal` explains what they leave
+        rejected_worse,           ///< names fit best, but make held-out data worse
+        rejected_leaves_most,     ///< names: of the gap on held-out data
+        rejected_implausible,     ///< names: more than noise is left, and a number is at its bound
+        rejected_in_many_floors,  ///< names; values: noise floors that remain; the noise is not documented
         far_as_a_whole,     ///< values: noise floors by which the nominal joint misses where rows are within the noise
         interrupted_early,  ///< names: codes of the stage and those left out; nothing was found yet
         interrupted_located,  ///< names: codes of the stage and those left out; where the gap lies was found

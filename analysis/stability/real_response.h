@@ -7,7 +7,7 @@
 
 #include "analysis/loop/opened_loop.h"
 #include "analysis/stability/forced_response.h"
-#include "analysis/stability/loop.h"
+#include "analysis/stability/loop_margins.h"
 #include "analysis/stability/real_loop.h"
 
 namespace stickslip {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "analysis/stability/comparison.h"
-#include "analysis/stability/loop.h"
+#include "analysis/stability/loop_margins.h"
 #include "analysis/stability/reduction_study.h"
 #include "analysis/stability/resolution.h"
 

@@ -1,3 +1,3 @@
 // Compliance, gain and phase margins, root locus.
 #pragma once
-#include "analysis/stability/loop.h"
+#include "analysis/stability/loop_margins.h"

@@ -281,7 +281,7 @@ def check_gap(joint: JointLike, records: Mapping[str, Any], baseline: str | Path
 
 
 def compare(before: str | Path, after: str | Path) -> Answer:
-    """Two diagnoses (folders that diagnose wrote, or diagnosis.json): is the gap new, which number moved, and how far."""
+    """Two diagnoses (folders that diagnose wrote, or diagnosis.json): is the gap new, which parameter moved, and how far."""
     return Answer(program.answer_of(["compare", before, after]))
 
 

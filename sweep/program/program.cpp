@@ -140,7 +140,9 @@ int run_program(int argc, char** argv, Cluster* cluster)
     app.set_version_flag("--version", "stickslip " + program_version());
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done, 1 check failed, 2 bad input, 3 interrupted and resumable, 4 too many undecided points.\n"
+        "Exit codes: 0 done, 1 check failed or requirements not met, 2 bad input, 3 interrupted and resumable, 4 "
+        "undecided or "
+        "insufficient records.\n"
         "Example: stickslip sweep -o out && xdg-open out/report.html");
     add_verbs(app, invocation);
     try {

@@ -23,7 +23,7 @@ struct JointAnswer {
     Region region = Region::undecided;  ///< both together
     bool slides = false;                ///< steady sliding exists; without it, all below is empty
     std::optional<NearestBoundary> nearest;
-    std::optional<VelocitySearch> velocities;  ///< of a positive commanded velocity
+    std::optional<VelocitySearch> velocities;  ///< where the commanded velocity is set and not 0
     std::vector<Interval> ideal_gains;         ///< stable k_p of the paper's loop, where the joint has another
     LinearDetails details;
     std::optional<RootLocus> locus;

@@ -145,7 +145,7 @@ std::string regression_text(const GapRegression& r, const DiagnosisComparison& c
 Table changes_table(const DiagnosisComparison& c)
 {
     Table t{"Parameters of both diagnoses, largest change first",
-            {"number", "stands for", "before", "now", "change", "in standard errors"},
+            {"parameter", "stands for", "before", "now", "change", "in standard errors"},
             {}};
     for (const auto& change : c.numbers) {
         if (!is_reported(change, c)) continue;

@@ -23,7 +23,7 @@ std::string margin_text(double margin, const GainDesign& d)
     return (margin >= d.margin_reach ? "> " : "") + plain_number(margin, 3);
 }
 
-std::string demand_value(const DemandReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
+std::string demand_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
 {
     if (d.name == "effort_limit") return u.effort(value);
     return d.name == "margin" ? margin_text(value, a.design) : u.velocity(value);
@@ -75,7 +75,7 @@ std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)
         if (d.others_met)
             text += (others.empty() ? " The " : " With " + others + " as required, the ") + demand_name(d.name) +
                     " can be " + demand_value(d, d.attainable, a, u) +
-                    " (required: " + demand_value(d, d.demanded, a, u) + ").";
+                    " (required: " + demand_value(d, d.specified, a, u) + ").";
         else
             text += " No gains give " + others + " as required, for any " + demand_name(d.name) + ".";
     }
@@ -163,7 +163,7 @@ std::vector<Table> design_tables(const DesignAnswer& a)
     demands.columns = {"requirement", "specified", "achieved", "attainable, others kept", "outcome"};
     for (const auto& r : d.demands)
         demands.rows.push_back(
-            {demand_name(r.name), demand_value(r, r.demanded, a, u), demand_value(r, r.reached, a, u),
+            {demand_name(r.name), demand_value(r, r.specified, a, u), demand_value(r, r.achieved, a, u),
              demand_value(r, r.attainable, a, u) + (r.others_met ? "" : " (alone)"), r.met ? "met" : "not met"});
     return {choices, demands};
 }

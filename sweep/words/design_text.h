@@ -32,7 +32,7 @@ std::string demand_name(const std::string& name);
 std::string margin_text(double margin, const GainDesign& d);
 
 /// A value of a requirement with its unit.
-std::string demand_value(const DemandReport& d, double value, const DesignAnswer& a, const DesignUnits& u);
+std::string demand_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u);
 
 /// An optimum at the end of what was searched is one of the search.
 std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits& u);

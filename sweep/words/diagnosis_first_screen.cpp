@@ -1,5 +1,6 @@
 #include "sweep/words/diagnosis_first_screen.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 
@@ -53,10 +54,6 @@ std::vector<std::string> one_of(const Diagnosis& d)
     return causes;
 }
 
-/// From which probability on a cause is stated flatly, and from which on as probable. Reason: nine in ten is what the
-/// answers at that probability kept in blind cases; below one half the rest together is likelier than the cause.
-constexpr double told_flatly = 0.9, told_as_probable = 0.5;
-
 /// That it is one of the causes that the first sentence names.
 double probability_of_named(const Diagnosis& d)
 {
@@ -81,8 +78,9 @@ std::string said_by_probability(const Diagnosis& d)
         causes.size() > 1 ? fmt::format("one of {}, which these records cannot distinguish", fmt::join(causes, ", "))
                           : causes[0];
     const double sure = probability_of_named(d);
-    if (sure >= told_flatly) return "The gap comes from " + which;
-    if (sure >= told_as_probable) return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
+    if (sure >= gap::policy::stated_flatly) return "The gap comes from " + which;
+    if (sure >= gap::policy::stated_as_probable)
+        return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
     return fmt::format("The likeliest cause of the gap is {} ({}; that it is none of those listed: {})", which,
                        whole_percent(sure), whole_percent(probability_of_none(d)));
 }
@@ -133,41 +131,43 @@ std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& aft
 {
     const std::string text = cause_text(d.effects[0], before, after);
     const double sure = d.effects[0].probability;
-    if (sure >= told_flatly) return text;
-    return fmt::format("{} ({}): {}", sure >= told_as_probable ? "Probable" : "Likeliest, not certain",
+    if (sure >= gap::policy::stated_flatly) return text;
+    return fmt::format("{} ({}): {}", sure >= gap::policy::stated_as_probable ? "Probable" : "Likeliest, not certain",
                        whole_percent(sure), text);
 }
 
 Headline what_card(const Diagnosis& d)
 {
-    if (d.verdict == Verdict::no_gap) return {Tone::good, "nothing", "what: the nominal joint is enough"};
-    if (d.interrupted) return {Tone::neutral, "not known", "what: the search was interrupted; no cause is excluded"};
+    if (d.verdict == Verdict::no_gap)
+        return {Tone::good, "none", "cause: the nominal joint predicts the records to within noise"};
+    if (d.interrupted) return {Tone::neutral, "not known", "cause: the search was interrupted; no cause is excluded"};
     if (d.verdict == Verdict::unknown || d.effects.empty())
-        return {Tone::bad, "none of the catalogue", "what: no named effect explains the gap"};
+        return {Tone::bad, "not in the catalogue", "cause: no effect of the catalogue explains the gap"};
     if (const auto causes = one_of(d); causes.size() > 1)
         return {Tone::warning, fmt::format("one of {}", fmt::join(causes, ", ")),
-                "what: these data cannot distinguish them; the values above are those of the first"};
+                "cause: these records cannot distinguish them; the values above are those of the first"};
     return {Tone::warning, together(d.effects[0].names),
-            "what: the most probable cause, by its name in the catalogue; its values are above"};
+            "cause: the most probable effect, by its name in the catalogue; its values are above"};
 }
 
 Headline where_card(const Diagnosis& d)
 {
-    if (d.verdict == Verdict::no_gap) return {Tone::good, "nowhere", "where: no stage exceeds its noise"};
+    if (d.verdict == Verdict::no_gap) return {Tone::good, "none", "location: no stage exceeds its noise"};
     constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
     const Share* s = largest(d.signals, d.signals.size());
     const Share* r = largest(d.regimes, exclusive);
-    std::string meaning = fmt::format("where: the stage with {} of the gap", whole_percent(s->share));
+    std::string meaning = fmt::format("location: the stage with {} of the gap", whole_percent(s->share));
     if (r && r->share > 0)
-        meaning += fmt::format("; of the motion's part {} {}", whole_percent(r->share), when_text(r->name));
+        meaning += fmt::format("; {} of the motion's error occurs {}", whole_percent(r->share), when_text(r->name));
     return {Tone::neutral, s->name, meaning};
 }
 
 Headline how_much_card(const Diagnosis& d)
 {
     if (const double share = explained_by_named(d); d.verdict == Verdict::gap && !adds_noise(d) && std::isfinite(share))
-        return {Tone::neutral, whole_percent(share),
-                "how much: of the gap beyond the noise it explains; " + held_out_text(d) + ", noise included"};
+        return {
+            Tone::neutral, whole_percent(share),
+            "how much: part of the gap beyond the noise that it explains; " + held_out_text(d) + ", noise included"};
     if (judged_by_force(d))
         return {Tone::neutral, fmt::format("− {}", whole_percent(1 - d.drive_force.after / d.drive_force.before)),
                 "how much: " + held_out_text(d)};
@@ -188,22 +188,22 @@ Headline how_sure_card(const Diagnosis& d)
     const auto& first = d.effects[0];
     std::string meaning = "how sure: its probability; ";
     if (!d.ambiguous_with.empty())
-        meaning += "these data cannot distinguish it from " + rivals_text(d);
+        meaning += "these records cannot distinguish it from " + rivals_text(d);
     else if (d.effects.size() > 1)
-        meaning += fmt::format("next best is {} with {}", together(d.effects[1].names),
+        meaning += fmt::format("the next candidate is {} with {}", together(d.effects[1].names),
                                whole_percent(d.effects[1].probability));
     else
-        meaning += "no rival was left";
+        meaning += "no other candidate remains";
     constexpr double worth_telling = 0.05;
     if (const double none = probability_of_none(d); none >= worth_telling)
-        meaning += fmt::format("; that it is none of those listed has {}", whole_percent(none));
+        meaning += fmt::format("; {} that the cause is not listed", whole_percent(none));
     return {Tone::neutral, whole_percent(first.probability), meaning};
 }
 
 std::vector<Headline> remains_card(const Diagnosis& d)
 {
     if (!has_remainder(d)) return {};
-    std::string meaning = "what remains: of the gap's held-out squares beyond the noise";
+    std::string meaning = "remainder: part of the gap's held-out squares beyond the noise";
     if (!d.remainder.structure.empty())
         meaning += fmt::format("; it still depends on {}", fmt::join(d.remainder.structure, ", "));
     return {{Tone::neutral, whole_percent(std::max(0.0, d.remainder.share)), meaning}};

@@ -96,7 +96,7 @@ std::string value_text(const SheetValue& v)
 
 Table values_table(const Diagnosis& d)
 {
-    Table t{"Parameters of the joint with the first cause", {"number", "value, 95 % interval"}, {}};
+    Table t{"Parameters of the joint with the first cause", {"parameter", "value, 95 % interval"}, {}};
     if (!d.effects.empty())
         for (const auto& v : d.effects[0].values) t.rows.push_back({v.name, value_text(v)});
     return t;
@@ -104,7 +104,7 @@ Table values_table(const Diagnosis& d)
 
 Table shares_table(const char* title, const std::vector<Share>& shares)
 {
-    Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "noise floor", "unit"}, {}};
+    Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "prediction floor", "unit"}, {}};
     t.bar_column = 1;
     for (const auto& s : shares) {
         t.rows.push_back({s.name, whole_percent(s.share),

@@ -1,5 +1,6 @@
 #include "sweep/words/diagnosis_text.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/stage_text.h"
 
@@ -22,6 +23,9 @@ struct Sentence {
     Code code;
     const char* words;
 };
+
+// the numbers that stand as words below
+static_assert(gap::policy::shown == 5 && gap::policy::implausible_size == 10 && gap::policy::rows_of_rig_block == 20);
 
 constexpr Sentence sentences[] = {
     {Code::told, "{text}"},
@@ -125,14 +129,14 @@ constexpr Sentence sentences[] = {
     {Code::force_in_the_rest,
      "{names} comes nearest, but a force that depends on the {signal} alone, in the shape of no effect of the "
      "catalogue, explains what it leaves"},
-    {Code::withdrawn_worse,
+    {Code::rejected_worse,
      "{names} predicts unseen rows best, but makes the simulation of whole records worse: it is not the named cause"},
-    {Code::withdrawn_leaves_most,
+    {Code::rejected_leaves_most,
      "{names} fits best, but leaves most of the gap on held-out data: it is not named as the cause"},
-    {Code::withdrawn_implausible,
+    {Code::rejected_implausible,
      "{names} fits best, but leaves more than noise and needs a parameter at its bound or ten times the usual size: it "
      "is not named as the cause"},
-    {Code::withdrawn_in_many_floors,
+    {Code::rejected_in_many_floors,
      "{names} fits best, but leaves {0:.1f} times the noise floor on held-out data, and the joint file states no "
      "sensor noise: it is not named as the cause"},
     {Code::far_as_a_whole,

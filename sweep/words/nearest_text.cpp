@@ -9,8 +9,7 @@
 namespace stickslip {
 namespace {
 
-constexpr double near = 0.182;  ///< ln 1.2: closer than this, an alert
-constexpr double idle = 0.1;    ///< of the largest move: below, a parameter hardly takes part
+constexpr double idle = 0.1;  ///< of the largest move: below, a parameter hardly takes part
 
 /// Several bodies have friction laws with the same letters.
 std::string body_of(const std::string& path)
@@ -54,7 +53,7 @@ std::string nearest_text(const NearestBoundary& n, Units units)
     if (!n.decided) return "The joint has no linear verdict, hence no margin.";
     const std::string event = n.stable ? "Stick-slip appears" : "Sliding becomes stable";
     if (!n.found)
-        return std::string("No joint change of the uncertain parameters by up to ×10 ") +
+        return std::string("No change of these parameters by up to ×10 ") +
                (n.stable ? "causes stick-slip." : "makes sliding stable.");
     const auto moves = leading_moves(n);
     std::string text = event + " if ";
@@ -76,7 +75,9 @@ Headline nearest_headline(const NearestBoundary& n, Units units)
     const double change = moves.front().to / moves.front().from - 1;
     h.value = symbol(moves.front(), units) + (change < 0 ? " −" : " +") + plain_number(100 * std::abs(change), 2) +
               " %" + (moves.size() > 1 ? " with others" : "");
-    h.tone = !n.stable ? Headline::Tone::bad : n.distance < near ? Headline::Tone::warning : Headline::Tone::good;
+    h.tone = !n.stable                            ? Headline::Tone::bad
+             : n.distance < std::log(near_factor) ? Headline::Tone::warning
+                                                  : Headline::Tone::good;
     return h;
 }
 

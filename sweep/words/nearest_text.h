@@ -5,6 +5,9 @@
 
 namespace stickslip {
 
+/// A boundary within this factor of the design is near: an alert.
+inline constexpr double near_factor = 1.2;
+
 /// "stick-slip appears if L falls by 18 % while B − A grows by 7 %", mark-up.
 std::string nearest_text(const NearestBoundary& nearest, Units units);
 

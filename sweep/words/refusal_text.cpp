@@ -46,7 +46,7 @@ std::string of_table(const CannotAnswer& r)
             return "a table of outcomes is read against one spring; add contact_stiffness to k_p and leave force_gain "
                    "0";
         case Why::no_number:
-            return "the joint has no number " + r.name;
+            return "the joint has no parameter " + r.name;
         case Why::no_velocity:
             return "V0 is not set or not above 0, neither in the row nor in the joint";
         case Why::no_stiffness:

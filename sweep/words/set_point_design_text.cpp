@@ -114,7 +114,7 @@ std::vector<Table> set_point_design_tables(const SetPointDesign& design, Units u
 {
     Table ways;
     ways.title = "Solutions to hold a set point";
-    ways.columns = {"way", "numbers", "may lie in", "hunts", "largest error at rest"};
+    ways.columns = {"way", "parameters", "may lie in", "hunts", "largest error at rest"};
     for (const auto& c : design.choices)
         ways.rows.push_back({way_text(c.way), is_set(c.k_i) ? numbers_text(c, units) : "–", window_text(c, units),
                              c.holds              ? "no"

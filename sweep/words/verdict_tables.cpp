@@ -3,7 +3,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/words/detail_text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/words/interval_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/searched_gains.h"
 
@@ -29,7 +29,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
         {"k_{v} required by the velocity-only model", !searched_in_k_v(joint, v.loop) ? "not searched in this loop"
                                                       : v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
                                                           ? "any k_{v} > 0"
-                                                          : demanded_text(v.velocity_only.stable_k_v, units)},
+                                                          : required_text(v.velocity_only.stable_k_v, units)},
         row("direct effect f_{v}", v.state_variable.f_v, Quantity::damping),
         row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
         row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::position_gain),

@@ -2,7 +2,7 @@
 
 #include "analysis/joint/gains.h"
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/words/interval_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/searched_gains.h"
 
@@ -41,7 +41,7 @@ std::string asked_by_velocity(const Joint& joint, const LoopUse& loop, const Vel
 {
     if (!searched_in_k_v(joint, loop)) return ".";
     if (velocity_only.stable_k_v.empty()) return " at every k_{v}.";
-    return " and requires " + demanded_text(velocity_only.stable_k_v, units_of(joint)) + ".";
+    return " and requires " + required_text(velocity_only.stable_k_v, units_of(joint)) + ".";
 }
 
 /// Above the upper end of a real loop's stable gains it is dead time, lag or sampling that destabilises, not friction.

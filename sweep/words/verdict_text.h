@@ -24,7 +24,4 @@ std::string reason_text(Reason reason);
 /// Why a verdict is open, in its own words where it has some; empty where nothing is open.
 std::string reason_text(const NonlinearVerdict& verdict);
 
-/// Mark-up as a terminal shows it: "k_{cr}" reads k_cr, "10^{−6}" reads 10^−6.
-std::string plain_text(const std::string& markup);
-
 }  // namespace stickslip

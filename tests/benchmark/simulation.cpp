@@ -154,6 +154,7 @@ void print_scaling(const std::vector<SlipJoint>& joints)
 
 }  // namespace
 
+// In one piece: the rows of one table.
 int main(int argc, char** argv)
 {
     const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;

@@ -77,7 +77,7 @@ Inspection inspect(const Record& r, const Joint& joint)
         result.shortages.push_back(
             {.code = Note::Code::too_few_rows, .record = r.name, .values = {number(r.rows()), policy::fewest_rows}});
     const double resolution = std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise);
-    if (span_of(r.position) <= 8 * resolution || span_of(r.position) == 0)
+    if (span_of(r.position) <= policy::still * resolution || span_of(r.position) == 0)
         result.shortages.push_back({Note::Code::position_still, r.name});
     const double ticks = r.rows() > 1 && is_set(joint.control.period) ? median_step(r.time) / joint.control.period : 1;
     if (ticks > slower_log && (ticks >= most_ticks_per_row || std::abs(ticks - std::round(ticks)) > whole_ticks))

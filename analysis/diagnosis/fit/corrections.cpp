@@ -9,9 +9,6 @@
 namespace stickslip::gap {
 namespace {
 
-/// Errors of a model hang together for about as long as a block of the objective: so many seconds are one reading.
-constexpr double reading = 0.2;
-
 constexpr std::string_view of_record = "coulomb-level of the record";
 
 void for_all_frictions(Joint& j, const double part, void (*change)(Friction&, double))
@@ -44,7 +41,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
 {
     double seconds = 0;
     for (const auto& c : cases) seconds += c.ticks.duration();
-    weight_ = 1 / std::max(1.0, seconds / reading);
+    weight_ = 1 / std::max(1.0, seconds / block_time);
     const Joint& j = cases[0].joint;
     const bool single = is_single_mass(j);
     const double coulomb =

@@ -78,12 +78,12 @@ struct EffectParameter {
     bool vanishes = false;  ///< a change from 0; beyond some value nothing is left of what it changes
 };
 
-/// One way to write the effect down; an effect may have several (Dahl or LuGre bristles).
 /// A form of the catalogue by its names.
 struct FormName {
     std::string_view effect, form;
 };
 
+/// One way to write the effect down; an effect may have several (Dahl or LuGre bristles).
 struct EffectForm {
     std::string_view name;  ///< empty where there is only one
     std::vector<EffectParameter> parameters;
@@ -115,7 +115,8 @@ struct Effect {
     std::vector<EffectForm> flexible{};
 };
 
-/// The catalogue, in the order of GAP §3; edits that change the model of the joint come after edits of its numbers.
+/// The catalogue, in the order of the chain: friction, mechanism, actuator, controller, sensor, outside. Edits that
+/// change the model of the joint come after edits of its numbers.
 std::span<const Effect> effects();
 
 /// The effect of that name, or nullptr.

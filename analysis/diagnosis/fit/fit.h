@@ -22,7 +22,7 @@ struct Case {
     double row_step = 1e-3;                ///< s between two readings
     std::vector<double> temperature;       ///< °C at every tick; empty: not logged
     bool supply_logged = false;
-    bool noise_documented = true;                      ///< the documented sensor sets the noise floor
+    bool noise_documented = true;                      ///< the documented sensor sets the floors
     double skip_from = infinity, skip_to = -infinity;  ///< s; rows held out of the fit
     double step_factor = 1;                            ///< longer time steps for a first look
     bool judged(std::size_t tick) const
@@ -42,6 +42,11 @@ inline double rows_of(const std::vector<Case>& cases)
 
 /// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).
 inline constexpr std::array<double, 3> levels{110, 50, 20};
+/// A slower one, rad/s (83 ms): what builds up over many rows, where the loop as a whole is not simulated.
+inline constexpr double slow_observer = 12;
+
+/// Errors of a model hang together for about so many seconds, which are one block of the objective and one reading.
+inline constexpr double block_time = 0.2;
 
 /// Some effects together, each in one of its forms.
 struct Candidate {
@@ -91,8 +96,9 @@ Joint edited(const Joint& joint, const Candidate& candidate, const std::vector<d
 /// The same, as the simulation takes it; only here do unmodelled forces take part.
 Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::vector<double>& si, std::size_t record);
 
-/// Standard deviation of a reading's noise that would leave the innovation of a true joint: the encoder's own, and what
-/// the noise of a measured effort that drives it, or the error of a known load, makes of its motion.
+/// The prediction floor: standard deviation of a reading's noise that would leave the innovation of a true joint,
+/// before the observer amplifies it (noise_amplification). It is the encoder's own, and what the noise of a measured
+/// effort that drives it, or the error of a known load, makes of its motion.
 double reading_floor(const Case& c, double omega);
 
 /// Standard deviation of the effort's innovation in a true joint: the sensor's own noise, and in a motor the back-EMF
@@ -102,7 +108,7 @@ double effort_floor(const Case& c, double omega);
 /// Least mean squares over the floor that count: noise, or what stood still and has no logarithm.
 inline constexpr double noise_square = 1, exact_square = 1e-12;
 
-/// How far predictions are from one record at one level: mean squares over their noise floors, 1 where only noise
+/// How far predictions are from one record at one level: mean squares over their prediction floors, 1 where only noise
 /// remains.
 struct Misfit {
     double position = 0;

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/fit/reference.h"
 
 #include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/reference_rate.h"
 
 #include <cmath>
@@ -20,9 +21,8 @@ Seen see(const Case& c, double limit)
     const Ticks& t = c.ticks;
     const Control& control = c.joint.control;
     const std::size_t n = t.size(), m = static_cast<std::size_t>(t.ticks_per_row);
-    constexpr double at_limit = 0.999;
     const auto side = [&](std::size_t k) {
-        if (!is_set(t.command[k]) || std::abs(t.command[k]) <= at_limit * limit) return 0;
+        if (!is_set(t.command[k]) || std::abs(t.command[k]) <= policy::below_limit * limit) return 0;
         return t.command[k] > 0 ? 1 : -1;
     };
     Seen seen{std::vector<double>(n, not_set), std::vector<double>(n, not_set), std::vector<int>(n, 0)};

@@ -11,7 +11,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double block_time = 0.2;  // s
 constexpr double block_scale = 20;  // mse over floor at which a block begins to count less
 
 /// Adds one channel's blocks to the objective and lists their mean squares; gives the mean square of all.

@@ -93,8 +93,8 @@ std::vector<double> grid_peaks(const std::vector<Case>& cases, const Scales& sca
     double span = 0;
     for (const auto& r : all) span = std::max(span, r.span);
     // half the resolution of the longest record; up to 1200 bins
-    const double bin = (grid == FrequencyGrid::time ? 2.0 : 2.5) / span;
-    const double low = (grid == FrequencyGrid::time ? 4.0 : 3.0) / span;
+    const double bin = (grid == FrequencyGrid::time ? 2.0 : 2.5) / span;  // numerical: 1/resolution
+    const double low = (grid == FrequencyGrid::time ? 4.0 : 3.0) / span;  // numerical: half a wave
     const double highest = grid == FrequencyGrid::time ? std::min(600.0, 0.5 * std::numbers::pi / cases[0].row_step)
                                                        : 2000 / scales.position;
     const std::size_t bins = std::min<std::size_t>(grid == FrequencyGrid::time ? 1500 : 500,

@@ -119,15 +119,14 @@ namespace {
 
 using Inside = std::function<bool(std::size_t tick)>;
 
-/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort. `shown` gets
-/// what it predicts.
+/// Without a reference the loop cannot be simulated: what a slow observer leaves of position and effort, with the
+/// prediction floor as the noise floor. `shown` gets what it predicts.
 std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, const Inside& inside, Trace* shown)
 {
-    constexpr double slow = 12;  // rad/s
     const Plant plant = flatten(joint);
     const Ticks& t = c.ticks;
     Innovation innovation;
-    predict(plant, t, known_command(plant, t), slow, innovation);
+    predict(plant, t, known_command(plant, t), slow_observer, innovation);
     if (shown) {
         *shown = {};
         shown->predicted = true;
@@ -149,9 +148,9 @@ std::vector<SignalSquares> predicted_squares(const Case& c, const Joint& joint, 
             n += 1;
         }
     position.difference /= std::max(n, 1.0);
-    position.floor = std::pow(reading_floor(c, slow), 2) * noise_amplification(slow, c.row_step);
+    position.floor = std::pow(reading_floor(c, slow_observer), 2) * noise_amplification(slow_observer, c.row_step);
     effort.difference /= std::max(n, 1.0);
-    effort.floor = std::pow(effort_floor(c, slow), 2);
+    effort.floor = std::pow(effort_floor(c, slow_observer), 2);
     position.rows = effort.rows = n;
     std::vector<SignalSquares> squares{position};
     if (c.effort_sigma > 0) squares.push_back(effort);

@@ -111,7 +111,7 @@ class LadderSearch {
     void correct(FittedSet& set);
     void find_small_terms(std::vector<Start>& looks);
     bool found_small_terms(const FittedSet& set);
-    /// The noise floor down to what these numbers leave; gives the mean log square of that.
+    /// The prediction floor down to what these numbers leave; gives the mean log square of that.
     double lower_floor(const Corrected& model, const Eigen::VectorXd& x);
     /// Fitted anew to the floor that it leaves, until both agree.
     FittedSet settled(FittedSet set);

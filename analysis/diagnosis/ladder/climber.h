@@ -39,7 +39,8 @@ class Climber {
     /// too.
     std::vector<FittedSet> judged(const std::vector<Start>& starts);
 
-    /// The best of those that could not be distinguished from the first, each fitted anew to the lower noise floor.
+    /// The best of those that could not be distinguished from the first, each fitted anew to the lower prediction
+    /// floor.
     FittedSet compared(const std::vector<FittedSet>& rivals);
 
     /// The set with one of its causes exchanged for another that was judged on the way, best first: what came nearest

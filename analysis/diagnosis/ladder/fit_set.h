@@ -27,7 +27,7 @@ class SetFitter {
     {
     }
     const Joint& joint() const { return data_.cases()[0].joint; }
-    /// Excerpts anew, after the noise floors have moved.
+    /// Excerpts anew, after the prediction floors have moved.
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.
     Eigen::VectorXd start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;

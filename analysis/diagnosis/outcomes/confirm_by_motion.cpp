@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/outcomes/law_cost.h"
 
 #include "analysis/diagnosis/outcomes/rivals.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/optimise.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"
@@ -43,8 +44,8 @@ constexpr double amplitude_spread = 0.15;  // of ln amplitude: what a repeated m
 /// Log-likelihood of one measured amplitude, less that of a perfect one.
 double amplitude_score(double predicted, double measured)
 {
-    if (!(predicted > 0)) return -worst_amplitude;
-    return -std::min(worst_amplitude, std::abs(std::log(predicted / measured)) / amplitude_spread);
+    if (!(predicted > 0)) return -policy::worst_amplitude;
+    return -std::min<double>(policy::worst_amplitude, std::abs(std::log(predicted / measured)) / amplitude_spread);
 }
 
 /// Rows with a measured amplitude: every second of the first few is fitted to, the rest judge.
@@ -130,7 +131,7 @@ void confirm_by_motion(const Outcomes& o, LawFit& fit)
         if (!memory || !otherwise) continue;
         ++fit.beyond_linear;
         // a motion that was followed outweighs the linear side of a row
-        const bool sided = (fit.probability[i] > likelier_than_not) == !linear_slides;
+        const bool sided = (fit.probability[i] > policy::likelier_than_not) == !linear_slides;
         if (sided) fit.probability[i] = 1 - fit.probability[i];
     }
     judge(o, fit);

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/outcomes/law_cost.h"
 #include "analysis/diagnosis/outcomes/side.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/optimise.h"
 
 #include <algorithm>
@@ -46,7 +47,8 @@ std::vector<double> descended(const Objective& objective, const Bounds& bounds, 
 double probability_at(double distance, double softness)
 {
     if (std::isnan(distance)) return 0.5;
-    return wrong_rows / 2 + (1 - wrong_rows) / (1 + std::exp(-std::clamp(distance / softness, -50.0, 50.0)));
+    return policy::wrong_rows / 2 +
+           (1 - policy::wrong_rows) / (1 + std::exp(-std::clamp(distance / softness, -50.0, 50.0)));
 }
 
 Joint with_law(const Joint& joint, const FrictionLaw& law)

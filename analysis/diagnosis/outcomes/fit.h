@@ -7,14 +7,6 @@
 
 namespace stickslip::gap {
 
-/// A share of rows that are wrongly noted, or disturbed: no row can cost more than −ln of half of it.
-/// Probability from which on a row is predicted to stick and slip.
-inline constexpr double likelier_than_not = 0.5;
-inline constexpr double wrong_rows = 0.02;
-
-/// No measured amplitude costs more than this many of its spreads.
-inline constexpr double worst_amplitude = 3;
-
 /// A table with the joint of every row.
 struct Outcomes {
     OutcomeTable table;

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/outcomes/law_cost.h"
 
 #include "analysis/diagnosis/outcomes/side.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <Eigen/Dense>
 
@@ -89,7 +90,7 @@ void judge(const Outcomes& o, LawFit& fit)
     for (std::size_t i = 0; i < o.size(); ++i) {
         const bool stick_slip = o.table.rows[i].stick_slip;
         fit.held_out += log_probability(fit.probability[i], stick_slip);
-        fit.misjudged += (fit.probability[i] > likelier_than_not) != stick_slip;
+        fit.misjudged += (fit.probability[i] > policy::likelier_than_not) != stick_slip;
     }
 }
 

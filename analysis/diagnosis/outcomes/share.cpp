@@ -1,11 +1,12 @@
 #include "analysis/diagnosis/outcomes/share.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
 #include <set>
-#include "analysis/diagnosis/policy/policy.h"
 
 namespace stickslip::gap {
 namespace {
@@ -33,7 +34,7 @@ double row_cost(const Outcomes& o, const LawFit& f, std::size_t i)
 }
 bool row_wrong(const Outcomes& o, const LawFit& f, std::size_t i)
 {
-    return (f.probability[i] > likelier_than_not) != o.table.rows[i].stick_slip;
+    return (f.probability[i] > policy::likelier_than_not) != o.table.rows[i].stick_slip;
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
     c.names = {std::string(fit.rival->effect)};
     c.form = fit.rival->law;
     c.probability = fit.posterior;
-    c.tell_tale = fit.rival->tell_tale;
+    c.signature_text = fit.rival->signature_text;
     c.misfit = -fit.total() / static_cast<double>(o.size());
     for (std::size_t k = 0; k < fit.rival->numbers.size(); ++k) {
         const auto& n = fit.rival->numbers[k];
@@ -136,7 +137,7 @@ void locate(OutcomeAnswer& a)
     const auto& o = a.outcomes;
     const auto n = static_cast<double>(o.size());
     Diagnosis& d = a.diagnosis;
-    const double floor = std::max(wrong_rows, a.contradictions / n);
+    const double floor = std::max<double>(policy::wrong_rows, a.contradictions / n);
     double outcome_cost = -a.nominal.held_out, amplitude_cost = -a.nominal.amplitude_held_out;
     const double both = outcome_cost + amplitude_cost;
     d.signals.push_back({"outcome", outcome_cost / both, {}, a.nominal.misjudged / n, floor, "share of rows"});

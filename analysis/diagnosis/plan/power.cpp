@@ -13,12 +13,10 @@
 namespace stickslip::gap {
 namespace {
 
-/// Of the noise, where two effects are compared: each then stands well above it, see could_have_shown().
-constexpr double deviations = 5;
 constexpr std::size_t fewest_periods = 100;  // of the loop, in a motion
 
-/// What an effect has to change in the surprises, root mean square in noise floors, for the diagnosis to see it: over
-/// many rows that is less than the noise of one.
+/// What an effect has to change in the surprises, root mean square in prediction floors, for the diagnosis to see it:
+/// over many rows that is less than the noise of one.
 double seen()
 {
     return std::sqrt(policy::visible_excess);
@@ -106,7 +104,7 @@ class Planned {
             evaluate(cases_, {}, {}, omega, &nominal_.back());
         }
     }
-    /// What the effect changes in the surprises of every observer bandwidth, in noise floors.
+    /// What the effect changes in the surprises of every observer bandwidth, in prediction floors.
     std::vector<std::vector<double>> change(const Sized& s, double u) const
     {
         std::vector<std::vector<double>> all;
@@ -210,7 +208,8 @@ Power power_of(const Joint& joint, const PlannedMotion& planned, const ParallelF
     Power power;
     for (const auto& f : found) power.effects.push_back(f.power);
     audited(joint, power.effects);
-    const double alike = std::sqrt(1 - 1 / (deviations * deviations));
+    // two effects are compared where each stands out of the noise by as much as one that could be shown
+    const double alike = std::sqrt(1 - 1 / (policy::shown * policy::shown));
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t j = i + 1; j < found.size(); ++j)
             if (!found[i].change.empty() && !found[j].change.empty() &&

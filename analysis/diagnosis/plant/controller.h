@@ -1,5 +1,4 @@
-// The sampled controller of a record, as INTERFACE §2 and §7 write it: that of the simulation, in the frame of the
-// room.
+// The sampled controller of a record (docs/theory.md, real loops): that of the simulation, in the frame of the room.
 #pragma once
 #include "analysis/diagnosis/plant/plant.h"
 #include "analysis/simulation/sampled/loop_controller.h"

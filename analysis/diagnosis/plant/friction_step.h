@@ -2,6 +2,7 @@
 // (simulation/lanes/pack.h), a single one being a pack of one: each has its numbers, all have the same terms.
 #pragma once
 #include "analysis/diagnosis/plant/plant.h"
+#include "analysis/friction/memory_step.h"
 #include "analysis/simulation/lanes/sine.h"
 
 namespace stickslip::gap {
@@ -10,12 +11,12 @@ namespace stickslip::gap {
 struct Terms {
     bool stribeck = false, asymmetric = false, loaded = false, geared = false, ripple = false, second_ripple = false,
          drifts = false, bristles = false;
-    bool remembers = false, ageing = false, lags = false, late = false, plain = false, glides = false;
+    bool remembers = false, ageing = false, lags = false, late = false, plain = false, one_slope = false;
     double exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
     bool operator==(const Terms&) const = default;
 };
 
-inline Terms terms_of(const Rubbing& r)
+inline Terms terms_of(const FlatFriction& r)
 {
     Terms t;
     t.stribeck = r.stribeck != 0, t.ripple = r.ripple != 0, t.second_ripple = r.second_ripple != 0,
@@ -26,28 +27,25 @@ inline Terms terms_of(const Rubbing& r)
     t.remembers = r.remembers(), t.ageing = r.ageing && t.remembers, t.lags = r.lag > 0, t.late = r.late();
     t.plain = r.plain();
     // one level and one slope, in both directions and at all times
-    t.glides = t.plain && !t.asymmetric && r.bristle_stiffness == 0 && r.lag == 0;
+    t.one_slope = t.plain && !t.asymmetric && r.bristle_stiffness == 0 && r.lag == 0;
     t.exponent = t.stribeck && (r.exponent == 1 || r.exponent == 2) ? r.exponent : 0;
     return t;
 }
 
 /// The frictions of a pack of bodies.
 template <class P>
-struct Rubs : RubbingOf<P> {
+struct FrictionPack : FlatFrictionOf<P> {
     Terms has;
 };
 
 /// What one body's friction remembers between steps.
 template <class P>
-struct RubState {
+struct FrictionState {
     P bristle = 0;  ///< deflection z
     P theta = 0;    ///< memory state
     P speed = 0;    ///< lagged speed, for a level that follows the velocity late
     P force = 0;    ///< of a whole curve that is followed late
 };
-
-/// Added to the speed inside the logarithms of the memory, as a part of V*: what keeps them finite at rest.
-inline constexpr double memory_floor = 1e-3;
 
 /// Where a step happens and what passes through, as far as friction asks.
 template <class P>
@@ -64,21 +62,21 @@ P exp_of(const P& x)
 
 /// The part of a drift that has come by this time. It is slow: a tick holds it.
 template <class P>
-P drifted(const Rubs<P>& r, const P& t)
+P drifted(const FrictionPack<P>& r, const P& t)
 {
     return r.drift * -lanes::exponential(-t / r.drift_time).minus_one;
 }
 
 /// ln(|v|/V* + floor), what the memory goes by.
 template <class P>
-P logarithm_of(const P& speed, const Rubs<P>& r)
+P logarithm_of(const P& speed, const FrictionPack<P>& r)
 {
     return lanes::logarithm(speed * r.per_V_star + memory_floor);
 }
 
 /// The Stribeck peak's height at this speed.
 template <class P>
-P peak(const Rubs<P>& r, const P& speed)
+P peak(const FrictionPack<P>& r, const P& speed)
 {
     constexpr double tiny = 1e-300;  // whose powers vanish beside one
     const P u = speed / r.stribeck_velocity;
@@ -90,7 +88,7 @@ P peak(const Rubs<P>& r, const P& speed)
 
 /// What the law resists in steady sliding, in both directions.
 template <class P>
-P steady(const Rubs<P>& r, const P& speed)
+P steady(const FrictionPack<P>& r, const P& speed)
 {
     const P level = r.has.stribeck ? r.coulomb + peak(r, speed) : r.coulomb;
     return level + r.viscous * speed;
@@ -98,7 +96,7 @@ P steady(const Rubs<P>& r, const P& speed)
 
 /// Slope of the friction with the speed of this instant in this direction.
 template <class P>
-P viscous(const Rubs<P>& r, const P& direction)
+P viscous(const FrictionPack<P>& r, const P& direction)
 {
     const P slope = r.has.late ? P(0.0) : r.viscous;
     return r.has.asymmetric ? slope + direction * r.asymmetric_viscous : slope;
@@ -107,7 +105,8 @@ P viscous(const Rubs<P>& r, const P& direction)
 /// The resisting force apart from viscous friction that follows the speed at once, never negative, for motion in
 /// `direction`.
 template <class P>
-P resistance(const Rubs<P>& r, const RubState<P>& s, const P& speed, const P& direction, const Surroundings<P>& at)
+P resistance(const FrictionPack<P>& r, const FrictionState<P>& s, const P& speed, const P& direction,
+             const Surroundings<P>& at)
 {
     P level = r.coulomb;
     if (r.has.plain) return max(level, P(0.0));
@@ -128,23 +127,18 @@ P resistance(const Rubs<P>& r, const RubState<P>& s, const P& speed, const P& di
 
 /// The memory state after a slip at this mean speed in h, exact for constant speed.
 template <class P>
-P remembered(const Rubs<P>& r, const P& theta, const P& speed, const P& h)
+P remembered(const FrictionPack<P>& r, const P& theta, const P& speed, const P& h)
 {
     const P slip = speed * h * r.per_L;
-    if (!r.has.ageing) {
-        const P settled = -r.B * logarithm_of(speed, r);
-        return settled + (theta - settled) * exp_of(-slip);
-    }
-    // in terms of the age Θ: θ = B ln(Θ V*/L), Θ̇ = 1 − |v| Θ/L
-    constexpr double least_slip = 1e-12;
-    const P age = r.L / r.V_star * exp_of(theta / r.B), lasts = r.L / speed;
-    const P next = select(P(least_slip) < slip, lasts + (age - lasts) * exp_of(-slip), age + h);
-    return r.B * lanes::logarithm(next * r.V_star / r.L);
+    const auto exponential = [](const P& x) { return exp_of(x); };
+    if (!r.has.ageing) return after_slip(theta, -r.B * logarithm_of(speed, r), slip, exponential);
+    const auto logarithm = [](const P& x) { return lanes::logarithm(x); };
+    return after_ageing(theta, r.B, r.L, r.V_star, speed, h, slip, exponential, logarithm);
 }
 
 /// The state after sliding at this mean speed for h: exact for constant speed.
 template <class P>
-void remember(const Rubs<P>& r, RubState<P>& s, const P& speed, const P& h)
+void remember(const FrictionPack<P>& r, FrictionState<P>& s, const P& speed, const P& h)
 {
     if (r.has.late) {
         const P force = steady(r, speed);
@@ -158,9 +152,9 @@ void remember(const Rubs<P>& r, RubState<P>& s, const P& speed, const P& h)
 /// The state of bodies that have slid at these speeds for long; at rest it is that of sliding at V*, which is what the
 /// law's level means.
 template <class P>
-RubState<P> settled(const Rubs<P>& r, const P& speed)
+FrictionState<P> steady_state(const FrictionPack<P>& r, const P& speed)
 {
-    RubState<P> s;
+    FrictionState<P> s;
     s.speed = speed;
     s.force = steady(r, speed);
     if (r.has.remembers) s.theta = select(P(0.0) < speed, -r.B * logarithm_of(speed, r), P(0.0));
@@ -170,10 +164,10 @@ RubState<P> settled(const Rubs<P>& r, const P& speed)
 /// One step of bodies that slide against a given level of friction: everything but velocity and force is divided out,
 /// so that a friction that does not change does it once for many steps.
 template <class P>
-struct Glide {
+struct SlidingStep {
     P keep, per_force, held;
-    Glide() {}
-    Glide(const P& level, const P& slope, const P& mobility)
+    SlidingStep() {}
+    SlidingStep(const P& level, const P& slope, const P& mobility)
     {
         const P yielding = P(1.0) / (1.0 + 0.5 * mobility * slope);
         keep = (1.0 - 0.5 * mobility * slope) * yielding;
@@ -191,8 +185,8 @@ struct Glide {
 /// `mobility`. Bristles are implicit in the new velocity, so that stiff ones stay stable; without bristles friction is
 /// set-valued at rest: the body stays at rest while |force| is not above the resistance.
 template <class P>
-P rub(const Rubs<P>& r, RubState<P>& s, const P& v, const P& force, const P& mobility, const P& h,
-      const Surroundings<P>& at)
+P friction_step(const FrictionPack<P>& r, FrictionState<P>& s, const P& v, const P& force, const P& mobility,
+                const P& h, const Surroundings<P>& at)
 {
     const P zero(0.0), direction = copysign(P(1.0), select(v != zero, v, force));
     const P level = resistance(r, s, abs(v), direction, at);
@@ -206,9 +200,9 @@ P rub(const Rubs<P>& r, RubState<P>& s, const P& v, const P& force, const P& mob
         const P fixed = stiff * decay * s.bristle - r.bristle_damping / h * s.bristle;
         next = (v + mobility * (force - fixed)) / (1.0 + mobility * (stiff * decay * h + slope));
         s.bristle = select(bends, (s.bristle + h * next) * decay, s.bristle);
-        if (!every(bends)) next = select(bends, next, Glide<P>(level, slope, mobility)(v, force));
+        if (!every(bends)) next = select(bends, next, SlidingStep<P>(level, slope, mobility)(v, force));
     } else {
-        next = Glide<P>(level, slope, mobility)(v, force);
+        next = SlidingStep<P>(level, slope, mobility)(v, force);
     }
     remember(r, s, 0.5 * abs(v + next), h);
     return next;

@@ -68,7 +68,7 @@ template <class P>
 struct Joints {
     Kind kind;
     P motor_inertia = 1, link_inertia = 1, stiffness = 1, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
-    Rubs<P> motor, link;
+    FrictionPack<P> motor, link;
     LoadOf<P> load;
     ActuatorOf<P> actuator;
     P position_scale = 1, position_offset = 0, sensor_delay = 0;
@@ -79,7 +79,7 @@ struct Joints {
 };
 
 template <class P>
-void load_rubs(Rubs<P>& to, int lane, const Rubbing& r)
+void load_frictions(FrictionPack<P>& to, int lane, const FlatFriction& r)
 {
     to.coulomb.set(lane, r.coulomb), to.viscous.set(lane, r.viscous);
     to.stribeck.set(lane, r.stribeck), to.stribeck_velocity.set(lane, r.stribeck_velocity);
@@ -103,7 +103,7 @@ void Joints<P>::load_lane(int lane, const Plant& p)
     motor_inertia.set(lane, p.motor_inertia), link_inertia.set(lane, p.link_inertia);
     stiffness.set(lane, p.stiffness), cubic_stiffness.set(lane, p.cubic_stiffness), damping.set(lane, p.damping);
     ratio.set(lane, p.ratio), backlash.set(lane, p.backlash);
-    load_rubs(motor, lane, p.motor), load_rubs(link, lane, p.link);
+    load_frictions(motor, lane, p.motor), load_frictions(link, lane, p.link);
     motor.has = kind.motor, link.has = kind.link;
     load.constant.set(lane, p.load.constant);
     load.gravity_amplitude.set(lane, p.load.gravity_amplitude), load.gravity_phase.set(lane, p.load.gravity_phase);

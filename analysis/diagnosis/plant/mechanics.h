@@ -254,8 +254,8 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
     const double q = (l.ticks->position[l.tick] + beyond - p.sensor.position_offset) / p.sensor.position_scale;
     const double v = velocity / p.sensor.position_scale;
     State<P> fresh;
-    fresh.motor = settled(joints_.motor, P(std::abs(v)));
-    fresh.link = settled(joints_.link, P(std::abs(v)));
+    fresh.motor = steady_state(joints_.motor, P(std::abs(v)));
+    fresh.link = steady_state(joints_.link, P(std::abs(v)));
     fresh.motor_position = fresh.followed = q;
     fresh.motor_velocity = v;
     if (kind().two_mass) {

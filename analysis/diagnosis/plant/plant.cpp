@@ -9,13 +9,13 @@
 namespace stickslip::gap {
 namespace {
 
-void take(const CoulombViscous& law, Rubbing& r)
+void take(const CoulombViscous& law, FlatFriction& r)
 {
     r.coulomb = law.coulomb;
     r.viscous = law.viscous;
 }
 
-void take(const Stribeck& law, Rubbing& r)
+void take(const Stribeck& law, FlatFriction& r)
 {
     r.coulomb = law.c0;
     r.viscous = law.c1;
@@ -24,7 +24,7 @@ void take(const Stribeck& law, Rubbing& r)
     r.exponent = law.c4;
 }
 
-void take(const RateAndState& law, Rubbing& r)
+void take(const RateAndState& law, FlatFriction& r)
 {
     if (law.B.size > 1) throw NotFitted(NotFitted::Why::several_states, law.info.name);
     r.coulomb = law.f0;
@@ -36,7 +36,7 @@ void take(const RateAndState& law, Rubbing& r)
     }
 }
 
-void take(const MaxwellSlip& law, Rubbing&)
+void take(const MaxwellSlip& law, FlatFriction&)
 {
     NotFitted refused(NotFitted::Why::elements, law.info.name);
     for (const auto& e : law.elements) refused.level += e.yield, refused.stiffness += e.stiffness;
@@ -44,7 +44,7 @@ void take(const MaxwellSlip& law, Rubbing&)
     throw refused;
 }
 
-void take(const TimeLag& law, Rubbing&)
+void take(const TimeLag& law, FlatFriction&)
 {
     NotFitted refused(NotFitted::Why::pure_delay, law.info.name);
     refused.lag = law.lag;
@@ -52,14 +52,14 @@ void take(const TimeLag& law, Rubbing&)
 }
 
 template <class Law>
-void take(const Law& law, Rubbing&)
+void take(const Law& law, FlatFriction&)
 {
     throw NotFitted(NotFitted::Why::other_law, law.info.name);
 }
 
-Rubbing flatten(const Friction& f)
+FlatFriction flatten(const Friction& f)
 {
-    Rubbing r;
+    FlatFriction r;
     std::visit([&](const auto& law) { take(law, r); }, f.law);
     r.asymmetric_coulomb = f.asymmetry.coulomb;
     r.asymmetric_viscous = f.asymmetry.viscous;

@@ -11,7 +11,7 @@ namespace stickslip::gap {
 /// Friction on one body. The law is (coulomb + stribeck exp(−(|v|/stribeck_velocity)^exponent) + viscous |v|) sgn v;
 /// the terms are those of friction.h. Zero means absent. Real: a number, or a pack of them.
 template <class Real>
-struct RubbingOf {
+struct FlatFrictionOf {
     Real coulomb = 0, viscous = 0;
     Real stribeck = 0, stribeck_velocity = 1, exponent = 2;
     Real asymmetric_coulomb = 0, asymmetric_viscous = 0;
@@ -26,7 +26,7 @@ struct RubbingOf {
     bool lag_viscous = false;  ///< what lags is the force of the whole curve, viscous friction included
 };
 
-struct Rubbing : RubbingOf<double> {
+struct FlatFriction : FlatFrictionOf<double> {
     bool remembers() const { return A != 0 || B != 0; }
     bool late() const { return lag > 0 && lag_viscous; }
     bool geared() const { return gear_forward != 0 || gear_backward != 0; }
@@ -85,7 +85,7 @@ struct Plant {
     bool two_mass = false;
     double motor_inertia = 1, link_inertia = 1;  ///< single mass: motor_inertia is all
     double stiffness = 0, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
-    Rubbing motor, link;  ///< single mass: motor
+    FlatFriction motor, link;  ///< single mass: motor
     Load load;
     FreeForce free;
     Actuator actuator;

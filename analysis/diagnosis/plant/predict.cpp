@@ -49,7 +49,7 @@ bool rest_is_open(const Prediction& p)
 }
 
 /// Which standstill predicts the first moments better. A record does not say it; a link that falls through its backlash
-/// misses by thousands of noise floors.
+/// misses by thousands of prediction floors.
 std::vector<Rest> rests_of(std::span<const Prediction> all)
 {
     constexpr double moment = 0.2;  // s

@@ -16,9 +16,9 @@ struct Trace {
     bool predicted = false;                            ///< along the measured motion, not simulated from its start
 };
 
-/// The whole loop of INTERFACE §2: encoder (noise, then quantum; the start is anywhere within a quantum), velocity
-/// recursion, command and hold, dead time → lag → gain → saturation, mechanism. `seed` 0 gives a run without noise;
-/// equal seeds give equal noise.
+/// The whole loop (docs/theory.md, real loops): encoder (noise, then quantum; the start is anywhere within a quantum),
+/// velocity recursion, command and hold, dead time → lag → gain → saturation, mechanism. `seed` 0 gives a run without
+/// noise; equal seeds give equal noise.
 Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed);
 
 /// The controller's command from the measured motion: what it would have commanded at each tick.

@@ -9,7 +9,7 @@ template <class P>
 struct State {
     P motor_position = 0, motor_velocity = 0;
     P link_position = 0, link_velocity = 0;  ///< two masses only
-    RubState<P> motor, link;
+    FrictionState<P> motor, link;
     P acceleration = 0;  ///< of the last step, predicts the mid-step speed
     P driven_apart = 0;  ///< two masses: relative acceleration by all but spring and damper, of the last step
     P lagged = 0;        ///< command behind the actuator's lag
@@ -25,7 +25,7 @@ struct StepLength {
     /// Two masses: how far ahead the damper is taken, what of spring and damper is left by what they do until there,
     /// and the relative acceleration per force of the spring.
     P ahead = 0, left = 0, per_force = 0;
-    Glide<P> motor, link;
+    SlidingStep<P> motor, link;
     StepLength() {}
     StepLength(const Joints<P>& p, const P& step)
         : h(step), per_h(P(1.0) / step), motor_mobility(step / p.motor_inertia)
@@ -65,11 +65,11 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
 {
     const P h = length.h, mobility = length.motor_mobility, zero(0.0), one(1.0);
     const P v = s.motor_velocity, middle = s.motor_position + 0.5 * h * v;
-    const Rubs<P>& r = p.motor;
+    const FrictionPack<P>& r = p.motor;
     const P outside = outside_force(p, s, middle, v, t + 0.5 * h), force = drive.push + outside;
     const Surroundings<P> at{middle, drive.at(v), -outside, force - drive.drag * v};
     if (r.has.bristles) {
-        s.motor_velocity = rub(r, s.motor, v, force - drive.drag * v, mobility, h, at);
+        s.motor_velocity = friction_step(r, s.motor, v, force - drive.drag * v, mobility, h, at);
         s.motor_position = middle + 0.5 * h * s.motor_velocity;
         return;
     }
@@ -137,12 +137,13 @@ void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, cons
     }
     const P on_motor = drive.at(s.motor_velocity) - spring * per_ratio;
     const P on_link = spring + outside_force(p, s, link_middle, s.link_velocity, t + 0.5 * h);
-    s.motor_velocity = p.motor.has.glides ? length.motor(s.motor_velocity, on_motor)
-                                          : rub(p.motor, s.motor, s.motor_velocity, on_motor, length.motor_mobility, h,
-                                                {motor_middle, spring * per_ratio});
-    s.link_velocity = p.link.has.glides ? length.link(s.link_velocity, on_link)
-                                        : rub(p.link, s.link, s.link_velocity, on_link, length.link_mobility, h,
-                                              {link_middle, spring});
+    s.motor_velocity = p.motor.has.one_slope
+                           ? length.motor(s.motor_velocity, on_motor)
+                           : friction_step(p.motor, s.motor, s.motor_velocity, on_motor, length.motor_mobility, h,
+                                           {motor_middle, spring * per_ratio});
+    s.link_velocity = p.link.has.one_slope ? length.link(s.link_velocity, on_link)
+                                           : friction_step(p.link, s.link, s.link_velocity, on_link,
+                                                           length.link_mobility, h, {link_middle, spring});
     s.driven_apart = (s.motor_velocity * per_ratio - s.link_velocity - rate) * length.per_h + spring * length.per_force;
     s.motor_position = motor_middle + 0.5 * h * s.motor_velocity;
     s.link_position = link_middle + 0.5 * h * s.link_velocity;

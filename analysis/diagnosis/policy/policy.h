@@ -64,11 +64,11 @@ inline constexpr LadderRules ladder{
     .worth_telling = 0.1,    // of the squares; below, it is the scatter of blocks, not a dependence
 };
 
-/// Least mean square of a held-out window that counts, in squares of the noise floor. Reason: a joint at rest between
-/// two steps of its encoder is predicted to any number of digits by whatever holds it at rest, and the logarithm of
-/// nothing outweighs all motion; a documented noise is less than three times too high. Evidence: on a hobby servo with
-/// its motor off for three quarters of two records a drift gained 7.0 of mean log square there and 0.03 to 0.15 in the
-/// other two folds, and hid the load-dependent friction, which took twice as much of the squares.
+/// Least mean square of a held-out window that counts, in squares of the prediction floor. Reason: a joint at rest
+/// between two steps of its encoder is predicted to any number of digits by whatever holds it at rest, and the
+/// logarithm of nothing outweighs all motion; a documented noise is less than three times too high. Evidence: on a
+/// hobby servo with its motor off for three quarters of two records a drift gained 7.0 of mean log square there and
+/// 0.03 to 0.15 in the other two folds, and hid the load-dependent friction, which took twice as much of the squares.
 inline constexpr double least_square_of_window = 0.1;
 /// Part of the explainable gap beyond the corrections that the first rung must take. Reason: a cause that takes less is
 /// not the main cause. Evidence: in other cases, of eight values none lies between 0.3 and 0.64.
@@ -94,7 +94,7 @@ inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
 inline constexpr double worth_a_search_of_pairs = 0.1;
 /// Probability that a rung is wrong although the ladder leaves only noise. Reason: twice that of a cause that needs no
 /// corrections (`doubt_of_accepted`), because corrections may have absorbed a part of another cause. Evidence: the nine
-/// rungs with 0.97 in docs/validation.md and in other cases are right (seven machines of an arm, a cogging, an
+/// rungs with 0.97 in docs/validation-history.md and in other cases are right (seven machines of an arm, a cogging, an
 /// asymmetry).
 inline constexpr double doubt_of_noise = 0.03;
 /// Added to `doubt_of_noise` in proportion to the remainder, in full at `nearest_in_shape` of the gap beyond the
@@ -139,9 +139,9 @@ inline constexpr double doubt_of_finding = 0.02;
 inline constexpr double finding_and_more = 0.5;
 /// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
 /// Reason: several parameters together can imitate many causes. Evidence: of 28 such answers on fresh dirty draws
-/// (docs/validation.md) 21 are joints whose file is off and nothing else, and seven have another cause (an effort gain,
-/// a compliance, a changing inertia, an asymmetry of 5 %, a viscous friction, a Stribeck peak, an inertia with a
-/// filter); the two with 0.9 are right.
+/// (docs/validation-history.md) 21 are joints whose file is off and nothing else, and seven have another cause (an
+/// effort gain, a compliance, a changing inertia, an asymmetry of 5 %, a viscous friction, a Stribeck peak, an inertia
+/// with a filter); the two with 0.9 are right.
 inline constexpr double numbers_to_noise = 0.9, numbers_and_more = 0.75;
 /// Part of the squares that all corrections take. A correction is reported as a wrong parameter if its removal costs
 /// that much. Reason: a parameter that only follows the others costs less. Definition: a wrong parameter of the file is
@@ -202,13 +202,13 @@ inline constexpr double completed = 0.94, taken_by_partner = 0.75;
 /// the whole loop are noisy and would accept causes that predictions show to be wrong; a remainder of a single that no
 /// partner takes is no second effect. Evidence: in other cases, of 71 values none lies between 0.89 and 0.96.
 inline constexpr double mostly_explained = 0.9;
-/// `slack_of_floor`: part of the mean square above the noise floor; `deviations_of_floor`: standard deviations of
+/// `slack_of_floor`: part of the mean square above the prediction floor; `deviations_of_floor`: standard deviations of
 /// repeated simulations. Both still count as noise. Reason: two integrators differ, and a documented noise is slightly
 /// off. Evidence: none of 300 joints without an effect raised an alarm (docs/validation.md).
 inline constexpr double slack_of_floor = 0.06, deviations_of_floor = 4;
-/// Misfit in multiples of the noise floor, at the fastest observer, above which a cause is rejected whatever the noise.
-/// Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44 values
-/// that were compared with it none lies between 2.7 and 4.2.
+/// Misfit in multiples of the prediction floor, at the fastest observer, above which a cause is rejected whatever the
+/// noise. Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44
+/// values that were compared with it none lies between 2.7 and 4.2.
 inline constexpr double hopeless = 3;
 /// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
 /// Definition: a wave that is worth the word has turned back once.
@@ -223,10 +223,13 @@ inline constexpr double beside_bound = 0.001, implausible_size = 10, least_prior
 /// stand at it to the last digit, and the nearest other at 0.90 of it.
 inline constexpr double inside_bound = 0.01;
 /// `signature_correlation`: correlation, second by second, of the residual and what an effect takes out of it.
-/// `acting_square`: mean square in multiples of the noise floor above which the effect acts there. Reason: half of the
-/// squares of a second are then due to the effect. Definition: a signature is half of the squares (0.7² = 0.49) where
-/// the effect makes at least twice the noise.
+/// `acting_square`: mean square in multiples of the prediction floor above which the effect acts there. Reason: half of
+/// the squares of a second are then due to the effect. Definition: a signature is half of the squares (0.7² = 0.49)
+/// where the effect makes at least twice the noise.
 inline constexpr double signature_correlation = 0.7, acting_square = 4;
+/// Part of the seconds in which an effect acts that must have its signature. Reason: a second may be disturbed by
+/// something else. Definition: two thirds.
+inline constexpr double most_seconds = 2.0 / 3;
 /// Noise standard deviations that an effect of usual size must reach to be detectable. Reason: what hardly exceeds the
 /// noise would be found in one record and not in the next. Definition: `insufficient-data` means that no effect of
 /// usual size makes five times the noise.
@@ -263,11 +266,14 @@ inline constexpr double slack_of_runs = 1.25;
 /// would be within its spread. Evidence: in 12 blind cases (seed 4122), `own_part`: all 64 values that were compared
 /// with it are at most 0.00066.
 inline constexpr double own_part = 0.02, own_readings = 20;
-/// Mean square in multiples of the noise floor, at the fastest and the middle observer, and the part of the misfit
+/// Mean square in multiples of the prediction floor, at the fastest and the middle observer, and the part of the misfit
 /// beyond the noise, at which a cause explains to within noise. Reason: as `slack_of_floor`, with room for parameters
 /// that are not fitted exactly; simulations of the joint's own noise confirm it afterwards. Evidence: in 12 blind cases
 /// (seed 4122), `accepted_part`: of 15 values that were compared with it none lies between -0.049 and 0.91.
 inline constexpr double accepted_fast = 1.12, accepted_middle = 1.15, accepted_part = 0.8;
+/// Part of the records that must be within `accepted_middle`. Reason: one record may hold a lost step or a noise that
+/// is not documented, which the middle observer shows for longer. Definition: two thirds.
+inline constexpr double most_records = 2.0 / 3;
 /// Penalty of score for each parameter. Reason: a parameter that fits only noise gains less in thousands of rows.
 /// Evidence: with half of it and with twice of it eight other cases keep verdict and names.
 inline constexpr double price_of_parameter = 0.003;
@@ -378,9 +384,29 @@ inline constexpr double clear_margin = 3;
 /// Rows of a table of outcomes, and rows of its rarer outcome, below which it is no answer. Reason: a boundary with two
 /// numbers needs rows on both of its sides. Definition: fewer rows are insufficient data.
 inline constexpr double fewest_outcomes = 8, fewest_of_either = 3;
+/// Probability above which a row of a table is predicted to stick and slip. Reason: the likelier outcome is the
+/// predicted one. Definition: a half.
+inline constexpr double likelier_than_not = 0.5;
+/// Part of the rows of a table that are noted wrongly or disturbed: no row costs more than -ln of half of it. Reason:
+/// one wrong row would outweigh all others in a likelihood without it. Definition: one row in fifty.
+inline constexpr double wrong_rows = 0.02;
+/// Spreads of a measured amplitude that it costs at most. Reason: as `wrong_rows`, of amplitudes. Definition: an
+/// amplitude that is off by three spreads is wrong, whatever it is.
+inline constexpr double worst_amplitude = 3;
 /// Kinds of friction that explain a table alike from which on none of them is named. Reason: a choice among so many is
 /// no answer. Definition: two kinds are told with both names.
 inline constexpr double too_many_kinds = 3;
+/// Multiple of what the encoder resolves (its step or its noise), peak to peak, up to which a position does not move.
+/// Reason: of 16,000 readings of one position the largest and the least are so far apart (plus and minus four standard
+/// deviations). Definition: a record whose position spans no more is insufficient data.
+inline constexpr double still = 8;
+/// Ratio of the noise that readings show to the documented one, above which the estimate takes its place: of a
+/// documented noise (`noise_believed`), of one beside a grid that is coarser than documented (`noise_beside_grid`), and
+/// of the rounding of an encoder step where no noise is documented (`noise_of_step`). Reason: estimates of white noise
+/// agree to a hundredth or two (`noise_not_white`); a noise is documented for a type of sensor, and a coarse grid makes
+/// third differences of its own; a step alone says nothing of noise. Definition: a documented noise is too small where
+/// readings show a quarter more, beside a coarse grid twice as much.
+inline constexpr double noise_believed = 1.25, noise_beside_grid = 2, noise_of_step = 1.02;
 /// Rows below which a record is not judged. Reason: its noise is estimated from third differences and its misfit from
 /// blocks of rows; both need some. Definition: fewer rows are insufficient data.
 inline constexpr double fewest_rows = 100;
@@ -392,8 +418,18 @@ inline constexpr double findings_of_another_joint = 3;
 /// missing has to explain most of the gap. Definition: half.
 inline constexpr double worth_a_hint = 0.5;
 
+// Stating the answer (sweep/words).
+
+/// Probability of the named cause from which on it is stated as a fact, and from which on as probable. Reason: below a
+/// half the other causes together are likelier than the named one. Definition: the words "comes from" and "probably
+/// comes from".
+inline constexpr double stated_flatly = 0.9, stated_as_probable = 0.5;
+
 // Deciding between laws of a friction rig (rig/).
 
+/// Rows of a rig's record that are held out together, every third block in turn. Reason: whoever measures writes more
+/// rows where more happens, so that every third has its part of a transient. Definition: twenty rows.
+inline constexpr std::size_t rows_of_rig_block = 20;
 /// Part of the RMS on held-out rows by which a law of a rig must be better than its friction at one level to be named.
 /// Reason: one number more takes a little from any scatter. Evidence: in the simulated rigs of the tests laws that are
 /// there take 0.51 to 0.83 of it; of a constant friction the best law takes nothing.

@@ -63,9 +63,10 @@ struct Ticks {
     double duration() const { return time.empty() ? 0 : time.back() - time.front(); }
 };
 
-inline constexpr double most_ticks_per_row = 100;  ///< 10 Hz of a loop at 1 kHz; slower logs see no friction
-inline constexpr double slower_log = 1.5;          ///< ticks a row from which on the log is slower than the loop
-inline constexpr double whole_ticks = 0.02;        ///< how far a number of ticks may be from a whole one: clocks jitter
+// How a record is put on the clock of its loop.
+inline constexpr double most_ticks_per_row = 100;  ///< numerical: 10 Hz of a loop at 1 kHz; slower logs see no friction
+inline constexpr double slower_log = 1.5;          ///< numerical: ticks a row from which on rows are not ticks
+inline constexpr double whole_ticks = 0.02;        ///< numerical: distance to a whole number of ticks: clocks jitter
 inline constexpr double most_lost_rows = 20;       ///< in a row; more are a hole
 
 double median_step(const std::vector<double>& time);

@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/rig/rig_laws.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/friction/memory_step.h"
 #include "analysis/joint/joint.h"
 #include "analysis/numerics/optimise.h"
 
@@ -31,7 +33,7 @@ bool has_memory(RigLaw law)
 /// -1: no row is left out.
 bool left_out(std::size_t k, int fold)
 {
-    constexpr std::size_t block = 20;  // rows
+    constexpr std::size_t block = policy::rows_of_rig_block;
     return fold >= 0 && static_cast<int>(k / block % rig_folds) == fold;
 }
 
@@ -77,8 +79,8 @@ std::vector<double> remembering_force(const Rig& rig, const Run& run, RigLaw law
 {
     std::vector<double> force(run.time.size(), 0);
     const double stiffness = p[0], A = p[1], B = p[2], length = p[3];
-    constexpr double slowest = 1e-3;  // of V*: a run that begins at rest has no steady sliding to begin from
-    const double start = std::log(std::max(run.start_speed / rig.speed, slowest));
+    // a run that begins at rest has no steady sliding to begin from
+    const double start = std::log(std::max(run.start_speed / rig.speed, memory_floor));
     double theta = -B * start, slip = -(A - B) * start / stiffness;
     const auto rate_of = [&](double x, double s, double th, double& ds, double& dth) {
         const double exponent = std::clamp((stiffness * (x - s) - th) / A, -40.0, 40.0);

@@ -58,7 +58,8 @@ inline constexpr int rig_folds = 3;
 /// Numbers of a law in SI: the spring's stiffness first.
 using RigNumbers = std::vector<double>;
 
-/// Force less its level along every run, of a massless slider behind the spring. Slip and ageing law: PHYSICS (4)-(5).
+/// Force less its level along every run, of a massless slider behind the spring. Slip and ageing law:
+/// analysis/README.md, friction laws, (4)-(5).
 std::vector<std::vector<double>> rig_force(const Rig& rig, RigLaw law, const RigNumbers& p);
 
 /// Mean square of the misfit with the levels refitted to the rows outside `fold` (−1: to all); over those rows, or with

@@ -37,8 +37,7 @@ Nominal judge_nominal(const std::vector<Case>& cases)
     const Candidate none;
     for (std::size_t l = 0; l < levels.size(); ++l) nominal.evaluation[l] = evaluate(cases, none, {}, levels[l]);
     nominal.score = mean_log_misfit(nominal.evaluation);
-    constexpr double slow = 12;  // rad/s
-    for (const auto& m : evaluate(cases, none, {}, slow).records)
+    for (const auto& m : evaluate(cases, none, {}, slow_observer).records)
         nominal.worst = std::max({nominal.worst, m.position, m.effort});
     return nominal;
 }
@@ -64,7 +63,8 @@ void judge(Attribution& a, const Nominal& nominal)
         fast = fast && records[i].position < policy::accepted_fast && records[i].effort < policy::accepted_fast;
         middle += a.evaluation[1].records[i].position < policy::accepted_middle;
     }
-    a.accepted = fast && 3 * middle >= 2 * records.size() && a.explained > policy::accepted_part;
+    const bool most = static_cast<double>(middle) >= policy::most_records * static_cast<double>(records.size());
+    a.accepted = fast && most && a.explained > policy::accepted_part;
 }
 
 std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const Audit& audit)

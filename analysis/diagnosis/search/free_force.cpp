@@ -180,7 +180,7 @@ std::vector<Shape> shapes_of(const std::vector<Case>& cases)
     return {{&of_position(), 2, {{from, width}}}, {&of_velocity(), 1, {{1}}}, follower, over_time};
 }
 
-/// All that the error of a known load adds to the noise floors, as `mean_log_misfit` has it.
+/// All that the error of a known load adds to the prediction floors, as `mean_log_misfit` has it.
 double gain_by_load_error(const std::vector<Case>& cases)
 {
     double sum = 0, n = 0;

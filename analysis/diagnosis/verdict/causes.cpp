@@ -19,7 +19,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     c.misfit = a.score;
     for (const auto& name : c.names)
         if (const Effect* e = effect_named(name))
-            c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(e->signature);
+            c.signature_text += (c.signature_text.empty() ? "" : "; ") + std::string(e->signature);
     c.signature = !c.names.empty();
     if (a.candidate.effects.size() <= corrections) return c;
     const auto quality = quality_of(p.cases, a, p.scales);
@@ -36,7 +36,8 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
         }
         if (std::find(c.names.begin(), c.names.end(), e.name) == c.names.end()) c.names.emplace_back(e.name);
         const Effect* known = effect_named(e.name);  // a number of the document has the signature of its effect
-        c.tell_tale += (c.tell_tale.empty() ? "" : "; ") + std::string(known ? known->signature : e.signature);
+        c.signature_text +=
+            (c.signature_text.empty() ? "" : "; ") + std::string(known ? known->signature : e.signature);
         if (!a.candidate.forms[n]->name.empty())
             c.form += (c.form.empty() ? "" : " + ") + std::string(a.candidate.forms[n]->name);
         const EffectForm& form = *a.candidate.forms[n];

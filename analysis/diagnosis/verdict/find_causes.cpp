@@ -170,8 +170,8 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
     progress(DiagnosisStage::measuring_floor, 0.05);
-    f.quiet = f.none.accepted = at_floor(fit, f.none);
-    if (f.quiet) return;
+    f.within_noise = f.none.accepted = at_floor(fit, f.none);
+    if (f.within_noise) return;
     fit_single(p, fit, progress, f);
     if (!f.singles.empty() && !f.singles[0].accepted) {
         f.pairs = fit_parts(fit, f.singles);

@@ -32,8 +32,8 @@ struct Findings {
     Findings(Findings&&) = default;
     Findings& operator=(Findings&&) = delete;
 
-    Attribution none;    ///< the joint as it is
-    bool quiet = false;  ///< nothing but noise is left without any effect
+    Attribution none;           ///< the joint as it is
+    bool within_noise = false;  ///< nothing but noise is left without any effect
     std::vector<Attribution> singles, pairs;
     std::vector<FreeFit> free;
     Decision decision;

@@ -2,6 +2,7 @@
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/locate.h"
 #include "analysis/diagnosis/verdict/shares.h"
+#include "analysis/numerics/statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -71,9 +72,7 @@ double part_of(const std::vector<double>& values, double part)
     std::vector<double> sizes;
     for (double x : values)
         if (std::isfinite(x)) sizes.push_back(std::abs(x));
-    if (sizes.empty()) return 1;
-    std::sort(sizes.begin(), sizes.end());
-    return sizes[static_cast<std::size_t>(part * static_cast<double>(sizes.size() - 1))];
+    return sizes.empty() ? 1 : percentile(std::move(sizes), part);
 }
 
 /// Splits a signal into what lies below, between and above the corners: differences of first-order low-passes.

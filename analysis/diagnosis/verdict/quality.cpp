@@ -76,7 +76,8 @@ bool signature_found(const std::vector<Case>& cases, const Attribution& a, const
             found += mr > policy::signature_correlation * std::sqrt(mm * rr);
         }
     }
-    return acts > 0 ? 3 * found >= 2 * acts : a.explained > policy::mostly_explained;
+    return acts > 0 ? static_cast<double>(found) >= policy::most_seconds * static_cast<double>(acts)
+                    : a.explained > policy::mostly_explained;
 }
 
 }  // namespace

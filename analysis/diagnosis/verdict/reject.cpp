@@ -19,12 +19,12 @@ void believe_at_most(std::vector<Cause>& causes, double most)
 std::optional<Note> why_rejected(const Diagnosis& d, const Standing& standing)
 {
     const OverallGap& gap = d.overall;
-    if (gap.worse()) return Note{Note::Code::withdrawn_worse};
+    if (gap.worse()) return Note{Note::Code::rejected_worse};
     if (standing.settled) return std::nullopt;
-    if (gap.left() >= policy::mostly_left) return Note{Note::Code::withdrawn_leaves_most};
-    if (!d.effects.empty() && !d.effects[0].plausible) return Note{Note::Code::withdrawn_implausible};
+    if (gap.left() >= policy::mostly_left) return Note{Note::Code::rejected_leaves_most};
+    if (!d.effects.empty() && !d.effects[0].plausible) return Note{Note::Code::rejected_implausible};
     if (!standing.noise_documented && gap.after > policy::many_floors * gap.noise())
-        return Note{.code = Note::Code::withdrawn_in_many_floors, .values = {gap.after / gap.noise()}};
+        return Note{.code = Note::Code::rejected_in_many_floors, .values = {gap.after / gap.noise()}};
     return std::nullopt;
 }
 
@@ -44,7 +44,7 @@ bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
     believe_at_most(d.effects, policy::believed_unnamed);
     if (!d.effects.empty()) why->names = d.effects[0].names;
     d.reasons.insert(d.reasons.begin(), *why);
-    const bool stays = standing.predicted && why->code == Note::Code::withdrawn_worse;
+    const bool stays = standing.predicted && why->code == Note::Code::rejected_worse;
     if (!stays) d.ladder.clear(), d.corrected_share = 0, d.remainder.share = 1;
     for (auto& rung : d.ladder) {
         rung.probability = std::min(rung.probability, policy::believed_unnamed);

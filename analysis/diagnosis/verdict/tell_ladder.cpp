@@ -188,7 +188,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         // no cause, but numbers that the document has wrong
         Cause c = cause_of(p, j.winner, j.noise_left ? policy::numbers_to_noise : policy::numbers_and_more);
         c.names = j.numbers.empty() ? that_matter(p, j) : j.with_numbers({});
-        c.tell_tale = "in proportion to the numbers that are off";
+        c.signature_text = "in proportion to the numbers that are off";
         std::erase_if(c.parameters, [&](const auto& parameter) {
             return std::ranges::none_of(c.names, [&](const auto& n) { return parameter.name.starts_with(n + "."); });
         });

@@ -4,24 +4,6 @@
 #include <cmath>
 
 namespace stickslip {
-namespace {
-
-NonlinearRegion region_of(LoopRegion region)
-{
-    switch (region) {
-        case LoopRegion::stable:
-            return NonlinearRegion::stable;
-        case LoopRegion::bistable:
-            return NonlinearRegion::bistable;
-        case LoopRegion::stick_slip:
-            return NonlinearRegion::stick_slip;
-        case LoopRegion::undecided:
-            break;
-    }
-    return NonlinearRegion::undecided;
-}
-
-}  // namespace
 
 LoopQuestion loop_question(const NonlinearOptions& options)
 {
@@ -40,10 +22,10 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     verdict.disturbance = options.disturbance;
     if (std::isfinite(found.size)) verdict.disturbance.size = found.size;
     verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : found.stated.outcome();
-    verdict.region = region_of(found.region);
+    verdict.region = found.region;
     verdict.growth_rate = found.growth_rate;
     // sliding that only the encoder or its noise disturbs has no cycle
-    const bool slides = found.stated.kind == LoopEnd::Kind::steady && found.region != LoopRegion::bistable;
+    const bool slides = found.stated.kind == LoopEnd::Kind::steady && found.region != NonlinearRegion::bistable;
     verdict.amplitude = slides ? missing : found.cycle.amplitude;
     verdict.jitter = slides ? found.stated.amplitude : found.cycle.jitter;
     verdict.velocity_min = found.cycle.velocity_min;

@@ -7,10 +7,6 @@
 
 namespace stickslip {
 
-/// A change of ln|l·y| over the window of less than 1/clear_change is measured with finer tolerances: what a step adds
-/// or takes by its error must be small beside it.
-inline constexpr double clear_change = 5;
-
 /// |s| of a mode that cannot be distinguished from zero, per largest |s|: what rounding makes of an eigenvalue.
 inline constexpr double neutral_mode = 1e-14;
 

@@ -109,7 +109,7 @@ class DrivenJoint {
   private:
     struct BodyData {
         Friction friction;
-        double inertia, ratio, speed, extra_unit;
+        double inertia, ratio, speed;
         bool logarithmic, rests, delayed;
         double edge;     ///< speed below which a body that can rest comes to rest, joint coordinates
         double release;  ///< speed to which it breaks away

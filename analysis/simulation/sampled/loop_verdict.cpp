@@ -268,9 +268,9 @@ void LoopInquiry::judge_stated()
         verdict_.detail = stated.cut_short ? Detail::limit_of_work : Detail::limit_of_turns;
     if (deflection_ > 0) verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection_;
     if (!follow_.steady_attracts) {
-        verdict_.region = LoopRegion::stick_slip;
+        verdict_.region = NonlinearRegion::stick_slip;
     } else if (stated.oscillates()) {
-        verdict_.region = LoopRegion::bistable;
+        verdict_.region = NonlinearRegion::bistable;
     } else if (question_.region) {
         verdict_.searched_from = winds_up_slowly() ? LargerTried::pull_of_spring : LargerTried::pull;
         if (!begin_search(Phase::from_rest) && !begin_search(Phase::pulled)) judge_search({});
@@ -301,9 +301,9 @@ bool LoopInquiry::begin_search(Phase phase)
 
 void LoopInquiry::judge_search(const LoopEnd& large)
 {
-    if (large.kind == LoopEnd::Kind::steady) verdict_.region = LoopRegion::stable;
-    if (large.oscillates()) verdict_.region = LoopRegion::bistable, verdict_.cycle = large;
-    if (verdict_.region != LoopRegion::undecided) return;
+    if (large.kind == LoopEnd::Kind::steady) verdict_.region = NonlinearRegion::stable;
+    if (large.oscillates()) verdict_.region = NonlinearRegion::bistable, verdict_.cycle = large;
+    if (verdict_.region != NonlinearRegion::undecided) return;
     verdict_.reason = large.reason;
     verdict_.detail = large.cut_short ? Detail::limit_of_work : Detail::larger_not_followed;
 }

@@ -1,5 +1,6 @@
 // The nonlinear truth about a joint in its real loop: sampled, late, filtered, limited.
 #pragma once
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/simulation/flows/disturbance.h"
 #include "analysis/simulation/sampled/loop_follow.h"
 
@@ -14,12 +15,10 @@ struct LoopQuestion {
     double effort = 1;       ///< how much a verdict may compute, per the usual; lanes count ticks only
 };
 
-enum class LoopRegion : std::uint8_t { undecided, stable, bistable, stick_slip };
-
 struct LoopVerdict {
     LoopEnd stated;  ///< after the stated disturbance
     LoopEnd cycle;   ///< it, or the one that a larger disturbance reaches
-    LoopRegion region = LoopRegion::undecided;
+    NonlinearRegion region = NonlinearRegion::undecided;
     double size = missing;                              ///< of the disturbance, SI
     double growth_rate = missing;                       ///< 1/s, of a small disturbance, measured
     std::complex<double> multiplier{missing, missing};  ///< of largest magnitude from tick to tick, by simulation

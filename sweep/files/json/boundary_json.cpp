@@ -4,6 +4,7 @@
 #include "sweep/files/json/set_point_json.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/boundary_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

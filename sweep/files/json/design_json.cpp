@@ -3,6 +3,7 @@
 #include "sweep/files/json/nearest_json.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/design_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {
@@ -33,8 +34,8 @@ nlohmann::ordered_json design_json(const DesignAnswer& a)
     json["demands"] = nlohmann::ordered_json::array();
     for (const auto& r : d.demands)
         json["demands"].push_back({{"name", r.name},
-                                   {"demanded", json_number(r.demanded)},
-                                   {"reached", json_number(r.reached)},
+                                   {"demanded", json_number(r.specified)},
+                                   {"reached", json_number(r.achieved)},
                                    {"attainable", json_number(r.attainable)},
                                    {"others_met", r.others_met},
                                    {"met", r.met}});

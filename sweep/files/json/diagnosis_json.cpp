@@ -49,7 +49,7 @@ Json cause_json(const Cause& cause)
                  {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
                  {"signature", cause.signature},
                  {"plausible", cause.plausible},
-                 {"tell_tale", cause.tell_tale},
+                 {"tell_tale", cause.signature_text},
                  {"misfit", json_number(cause.misfit)}};
     if (std::isfinite(cause.force_gain)) {
         json["drive_force_gain"] = json_number(cause.force_gain);

@@ -2,6 +2,7 @@
 
 #include "sweep/files/json/nearest_json.h"
 #include "sweep/words/margins_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 namespace stickslip {

@@ -6,7 +6,7 @@
 
 namespace stickslip {
 
-/// INTERFACE: hunting (null: undecided), amplitude, slip_time, stick_time, period, multiplier, and why.
+/// hunting (null: undecided), amplitude, slip_time, stick_time, period, multiplier, and why.
 nlohmann::ordered_json set_point_json(const SetPoint& answer);
 
 }  // namespace stickslip

@@ -1,5 +1,6 @@
 #include "sweep/files/json/study_json.h"
 
+#include "sweep/words/plain_text.h"
 #include "sweep/words/study_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -7,13 +8,6 @@
 
 namespace stickslip {
 namespace {
-
-Json intervals_json(const std::vector<Interval>& list)
-{
-    Json json = Json::array();
-    for (const auto& i : list) json.push_back({json_number(i.low), json_number(i.high)});
-    return json;
-}
 
 Json numbers_json(const std::vector<double>& list)
 {

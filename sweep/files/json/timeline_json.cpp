@@ -2,6 +2,7 @@
 
 #include "sweep/files/json/comparison_json.h"
 #include "sweep/words/comparison_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/timeline_text.h"
 #include "sweep/words/verdict_text.h"
 

@@ -16,13 +16,6 @@ const char* verdict_name(const Verdict& v)
     return v.stable ? "stable" : v.neutral ? "neutral" : "unstable";
 }
 
-Json intervals_json(const std::vector<Interval>& list)
-{
-    Json json = Json::array();
-    for (const auto& i : list) json.push_back({json_number(i.low), json_number(i.high)});
-    return json;
-}
-
 /// What bounds a window of stable gains there: a machine word for each kind of crossing.
 std::string_view end_name(const StateVariableVerdict& v, double gain, std::string_view otherwise)
 {
@@ -85,6 +78,13 @@ Json loop_json(const LoopUse& loop)
 }
 
 }  // namespace
+
+Json intervals_json(const std::vector<Interval>& list)
+{
+    Json json = Json::array();
+    for (const auto& i : list) json.push_back({json_number(i.low), json_number(i.high)});
+    return json;
+}
 
 Json json_number(double value)
 {

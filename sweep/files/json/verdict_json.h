@@ -11,6 +11,9 @@ using Json = nlohmann::ordered_json;
 /// JSON has no NaN and no infinity: what does not exist is null.
 Json json_number(double value);
 
+/// [[low, high], …]; an end without bound is null.
+Json intervals_json(const std::vector<Interval>& list);
+
 /// The name of a reason as in results.nc; null for none.
 Json code_json(Reason reason);
 

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/records/ticks.h"
+#include "analysis/numerics/statistics.h"
 #include "sweep/files/records/signal_measures.h"
 #include "sweep/files/text/toml_input.h"
 

@@ -55,13 +55,6 @@ double size_of_rate(const std::vector<double>& time, const std::vector<double>& 
     return alike ? std::sqrt(of_rates / of_values) : 0;
 }
 
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 double correlation(const std::vector<double>& a, const std::vector<double>& b)
 {
     double n = 0, sum_a = 0, sum_b = 0, squares_a = 0, squares_b = 0, products = 0;

@@ -24,8 +24,6 @@ std::vector<double> differentiated(const std::vector<double>& time, const std::v
 double size_of_rate(const std::vector<double>& time, const std::vector<double>& values,
                     const std::vector<double>& rates);
 
-double median(std::vector<double> values);
-
 /// Correlation of two signals where both have values; 0 where one stands still.
 double correlation(const std::vector<double>& a, const std::vector<double>& b);
 

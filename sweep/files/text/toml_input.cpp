@@ -3,8 +3,6 @@
 #include "sweep/files/text/bad_input.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <tuple>
@@ -154,13 +152,6 @@ std::string describe(const toml::node& node)
     if (node.is_array()) return "a list";
     if (node.is_table()) return "a table";
     return "a date or time";
-}
-
-std::string number_text(double value)
-{
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
 }
 
 const toml::table* table_at(const toml::table& parent, const std::string& key, const std::string& path,

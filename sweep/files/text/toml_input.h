@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/base/number_text.h"
 #include "sweep/files/text/names.h"
 
 namespace stickslip::files {
@@ -57,7 +58,7 @@ toml::table parse_toml(std::string_view text, const std::string& name);
 std::string describe(const toml::node& node);
 
 /// The shortest text that reads back as the same number.
-std::string number_text(double value);
+using stickslip::number_text;
 
 /// The table under a key; nothing if it is absent, or after a complaint that it is something else. `path` is what
 /// messages call `parent`, empty for the whole file.

@@ -53,7 +53,7 @@ std::string dynamixel_x(const Registers& r, ServoGains& gains)
     return "";
 }
 
-/// mjbots moteus, docs/reference.md (control law) and docs/guides/pid-tuning.md: torque = kp·error + kd·velocity error
+/// mjbots moteus, its reference (control law) and its guide to PID tuning: torque = kp·error + kd·velocity error
 /// + ki ∫error, N·m per revolution at the output of the reducer; ilimit is the limit of the integral's torque.
 std::string moteus(const Registers& r, ServoGains& gains)
 {

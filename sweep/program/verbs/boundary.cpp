@@ -21,6 +21,7 @@
 #include "sweep/report/write_report.h"
 #include "sweep/study/boundary_charts.h"
 #include "sweep/words/boundary_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

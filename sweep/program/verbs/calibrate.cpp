@@ -13,6 +13,7 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stoppable.h"
+#include "sweep/study/diagnose.h"
 #include "sweep/study/guarantee/order_statistic.h"
 #include "sweep/study/guarantee/own_cases.h"
 #include "sweep/words/guarantee_text.h"
@@ -99,7 +100,7 @@ guarantee::CalibrationCase answered(const guarantee::OwnCase& made, const Joint&
     c.truth = made.truth;
     c.place = place;
     const auto parallel = until_interrupted<gap::Interrupted>(invocation.interrupted, parallel_for_each);
-    c.answer = answer_of(gap::diagnose(joint, made.records, parallel).diagnosis);
+    c.answer = answer_of(diagnose_made_records(joint, made.records, parallel));
     return c;
 }
 

@@ -63,7 +63,7 @@ int check(const Options& options, const Invocation& invocation)
     if (failed)
         fmt::print("If the change is wanted: stickslip check {} {} --update\n", shell_word(options.spec),
                    shell_word(options.baseline));
-    return failed ? exit_check_failed : exit_done;
+    return failed ? exit_not_met : exit_done;
 }
 
 int check_files(Options options, const Invocation& invocation)

@@ -13,6 +13,7 @@
 #include "sweep/program/verbs/shell_word.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ int exit_code_of(const GapCheck& check)
     const auto& now = check.comparison.after;
     if (now.interrupted) return exit_interrupted;
     if (now.verdict == Verdict::insufficient_data) return exit_insufficient;
-    return check.passes() ? exit_done : exit_check_failed;
+    return check.passes() ? exit_done : exit_not_met;
 }
 
 }  // namespace

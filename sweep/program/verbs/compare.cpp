@@ -1,4 +1,4 @@
-// stickslip compare: two diagnoses of one joint; is the gap new, which number moved, by how many standard errors.
+// stickslip compare: two diagnoses of one joint; is the gap new, which parameter moved, by how many standard errors.
 #include "sweep/engine/build.h"
 #include "sweep/files/json/comparison_json.h"
 #include "sweep/files/json/diagnosis_file.h"
@@ -8,6 +8,7 @@
 #include "sweep/report/pages/timeline_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/words/comparison_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ void add_compare(CLI::App& app, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto* verb = app.add_subcommand(
-        "compare", "Compare two diagnoses: is the gap new, which number moved, by how many standard errors");
+        "compare", "Compare two diagnoses: is the gap new, which parameter moved, by how many standard errors");
     verb->add_option("BEFORE", options->before, "diagnosis.json, or the folder that diagnose wrote")->required();
     verb->add_option("AFTER", options->after, "the same, of the later records")->required();
     verb->add_option("-o,--output", options->directory, "directory for comparison.json and report.html");

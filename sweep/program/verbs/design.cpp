@@ -20,6 +20,7 @@
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/design_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -132,7 +133,7 @@ int design(const Options& options, const Invocation& invocation)
         }
     }
     if (!options.directory.empty()) write_files(answer, described, json, options);
-    return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_check_failed;
+    return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_not_met;
 }
 
 void add_set_point_options(CLI::App& verb, CLI::Option& holds, SetPointOptions& held)

@@ -23,6 +23,7 @@
 #include "sweep/report/pages/set_point_design_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/set_point_scan.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -94,7 +95,7 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
             return exit_interrupted;
         }
     }
-    return best && best->rest_error <= options.rest_error ? exit_done : exit_check_failed;
+    return best && best->rest_error <= options.rest_error ? exit_done : exit_not_met;
 }
 
 }  // namespace stickslip

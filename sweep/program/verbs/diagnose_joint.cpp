@@ -9,6 +9,7 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/changed_lines.h"
+#include "sweep/files/toml/corrected_joint.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
@@ -16,6 +17,7 @@
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/write_linked_report.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/refusal_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -41,19 +43,6 @@ bool needs_every_value(const std::string& signal)
     for (const char* other : {"temperature", "torque_enable", "link_position", "normal_load"})
         if (signal == other) return false;
     return true;
-}
-
-/// The joint with everything that was found in it, as the program reads joints; empty where nothing was named.
-std::string corrected_joint(const Diagnosis& d, const Joint& joint, const Joint& after)
-{
-    if (d.verdict != Verdict::gap || d.effects.empty() || joint_text(after) == joint_text(joint)) return "";
-    std::string head = "# The documented joint with the findings of the diagnosis:";
-    for (const auto& name : d.effects.front().names) head += " " + name;
-    for (const auto& [name, value, error, unit] : d.effects.front().parameters)
-        head += fmt::format("\n#   {} = {:.6g}{} {}", name, value,
-                            std::isfinite(error) && error > 0 ? fmt::format(" +- {:.2g}", error) : "",
-                            unit == "1" ? "" : unit);
-    return head + "\n" + joint_text(after);
 }
 
 /// What the page offers to take along.
@@ -119,34 +108,21 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
                               StageLine& line, const std::string& about)
 {
     if (!given.gaps.empty()) throw BadInput(given.gaps);
-    // a rig fits laws as they are
-    const bool of_rig = gap::is_rig(given.records.front());
-    const Joint joint = of_rig ? documented : gap::record_form(documented);
-    JointDiagnosis found{{}, joint, joint, {}, !given.contradictions.empty(), of_rig};
-    Diagnosis& d = found.diagnosis;
-    if (found.contradicted) {
-        // a cause fitted to records in another unit would be named with confidence, and wrong
-        d.motion = joint.mechanism.motion;
-        d.reasons = given.contradictions;
-    } else {
-        gap::DiagnosisOptions settings;
-        settings.progress = line.listener(about);
-        try {
-            auto result = gap::diagnose(
-                joint, given.records,
-                until_interrupted<gap::Interrupted>(invocation.interrupted, line.counted(parallel_for_each)), settings);
-            d = std::move(result.diagnosis);
-            found.after = result.after;
-        } catch (const std::invalid_argument& e) {
-            throw BadInput(refusal_text(e));
-        }
+    JointDiagnosis found;
+    try {
+        found = diagnose_records(
+            documented, given.records, given.contradictions,
+            until_interrupted<gap::Interrupted>(invocation.interrupted, line.counted(parallel_for_each)),
+            line.listener(about));
+    } catch (const std::invalid_argument& e) {
+        throw BadInput(refusal_text(e));
     }
+    Diagnosis& d = found.diagnosis;
     d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());
-    found.windows = {own_windows(found.before, d.usual_speed), own_windows(found.after, d.usual_speed)};
-    if (const auto side = side_text(joint, true); !side.empty()) d.notes.push_back({.text = plain_text(side)});
-    if (const auto law = of_rig ? "" : gap::rewritten_law(documented); !law.empty())
+    if (const auto side = side_text(found.before, true); !side.empty()) d.notes.push_back({.text = plain_text(side)});
+    if (const auto law = found.rig ? "" : gap::rewritten_law(documented); !law.empty())
         d.notes.push_back({.text = rewritten_law_text(law)});
-    if (const auto keys = of_rig ? std::vector<std::string>{} : gap::left_out_of_records(documented); !keys.empty())
+    if (const auto keys = found.rig ? std::vector<std::string>{} : gap::left_out_of_records(documented); !keys.empty())
         d.notes.push_back({.text = left_out_text(keys)});
     return found;
 }
@@ -162,7 +138,7 @@ void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::p
     const auto& [d, before, after, windows, contradicted, rig] = found;
     remove_earlier(directory);
     write_whole(directory / "diagnosis.json", joint_diagnosis_json(found));
-    const auto corrected = corrected_joint(d, before, after);
+    const auto corrected = corrected_joint_text(d, before, after);
     if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (page) {

@@ -5,7 +5,7 @@
 #include "sweep/files/records/record_file.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/verbs.h"
-#include "sweep/study/stable_windows.h"
+#include "sweep/study/diagnose.h"
 
 #include <filesystem>
 #include <string>
@@ -20,14 +20,6 @@ struct GatheredRecords {
     std::vector<std::string> gaps;
 
     void add(RecordReading reading);
-};
-
-struct JointDiagnosis {
-    Diagnosis diagnosis;
-    Joint before, after;
-    WindowsOfBoth windows;      ///< stable gains of both
-    bool contradicted = false;  ///< records and joint are in different units: nothing was concluded
-    bool rig = false;           ///< a friction rig, which has no controller
 };
 
 /// Throws BadInput, which names the joint's file, for a law or a model that no record is fitted with.

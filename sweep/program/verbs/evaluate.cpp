@@ -21,6 +21,7 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/open_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/set_point_text.h"
 #include "sweep/words/verdict_text.h"
 

@@ -6,7 +6,7 @@ namespace stickslip {
 /// What the program tells its caller.
 enum ExitCode {
     exit_done = 0,
-    exit_check_failed = 1,
+    exit_not_met = 1,  ///< a check failed, or no gains meet the requirements
     exit_bad_input = 2,
     exit_interrupted = 3,
     exit_undecided = 4,

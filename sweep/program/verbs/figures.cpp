@@ -3,6 +3,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/figures_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ int figures(const Options& options)
                    nlohmann::ordered_json{{"format", "stickslip-figures/1"}, {"numbers", std::move(numbers)}}.dump(2));
     else
         fmt::print("page: {}\n", page.string());
-    return met ? exit_done : exit_check_failed;
+    return met ? exit_done : exit_not_met;
 }
 
 }  // namespace

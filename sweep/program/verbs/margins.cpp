@@ -16,6 +16,7 @@
 #include "sweep/report/pages/margins_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/robust_set.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

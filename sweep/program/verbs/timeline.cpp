@@ -11,6 +11,7 @@
 #include "sweep/report/pages/timeline_report.h"
 #include "sweep/report/write_linked_report.h"
 #include "sweep/words/comparison_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/timeline_text.h"
 #include "sweep/words/verdict_text.h"
 

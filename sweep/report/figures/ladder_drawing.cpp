@@ -56,18 +56,18 @@ Figure ladder_figure(const Diagnosis& d)
     w.drawing.title = "The ladder of causes";
     w.drawing.width = drawing_width;
     double left_over = 1;
-    std::string finding = "Of the gap";
+    std::string finding = "Shares of the gap:";
     const auto step = [&](const std::string& name, double share, const ConfidenceInterval& interval) {
         const double next = std::clamp(left_over - share, 0.0, 1.0);
         w.step(name, left_over, next, interval);
-        finding += " " + name + " takes " + whole_percent(left_over - next) + ",";
+        finding += " " + name + " " + whole_percent(left_over - next) + ",";
         left_over = next;
     };
     constexpr double worth_a_bar = 0.005;
-    if (d.corrected_share > worth_a_bar) step("corrected numbers", d.corrected_share, {});
+    if (d.corrected_share > worth_a_bar) step("corrections", d.corrected_share, {});
     for (const auto& rung : d.ladder) step(together(rung.names), rung.share, rung.interval);
-    w.step("what remains", left_over, 0, {});
-    finding += " and " + whole_percent(left_over) + " remain.";
+    w.step("remainder", left_over, 0, {});
+    finding += " remainder " + whole_percent(left_over) + ".";
     if (is_set(d.ceiling.share)) w.ceiling(d.ceiling.share);
     w.finish();
     std::string depends;

@@ -2,7 +2,7 @@
 
 #include "analysis/results/point.h"
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/line_figure.h"
 
 #include <algorithm>
 #include <cmath>

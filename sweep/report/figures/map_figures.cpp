@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/report/figures/nonlinear_findings.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 #include "sweep/report/figures/moved_boundary.h"
 
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/line_figure.h"
+#include "sweep/words/interval_text.h"
 
 #include <algorithm>
 #include <cmath>

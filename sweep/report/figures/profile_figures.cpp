@@ -2,9 +2,9 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/nonlinear_findings.h"
-#include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>

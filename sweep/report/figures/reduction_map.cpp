@@ -1,8 +1,8 @@
 #include "sweep/report/figures/reduction_map.h"
 
 #include "analysis/results/text.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
-#include "sweep/words/line_figure.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "sweep/report/figures/vmin_figure.h"
 
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/line_figure.h"
 
 #include <algorithm>
 #include <cmath>

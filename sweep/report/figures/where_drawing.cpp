@@ -79,7 +79,7 @@ Figure where_figure(const Diagnosis& d)
     for (std::size_t i = 0; i < d.regimes.size(); ++i) {
         if (i == 0 || i == exclusive) {
             y += i == 0 ? 0 : 10;
-            w.text(bars_left, y + 6, i == 0 ? "of the motion's part, while" : "of the same, overlapping",
+            w.text(bars_left, y + 6, i == 0 ? "motion error by regime" : "overlapping regimes",
                    LineDrawing::Anchor::left);
             y += 18;
         }

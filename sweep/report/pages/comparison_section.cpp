@@ -1,8 +1,9 @@
 #include "sweep/report/pages/comparison_section.h"
 
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/vmin_figure.h"
 #include "sweep/report/pages/gain_words.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/words/interval_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,8 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
     return line_figure(
         "k-v-demanded", std::move(chart),
         "At the joint's own velocity, the velocity-only model requires: " +
-            demanded_text(here.k_v_velocity_only, words.units) +
-            "; with memory: " + demanded_text(here.k_v_memory, words.units) + ".",
+            required_text(here.k_v_velocity_only, words.units) +
+            "; with memory: " + required_text(here.k_v_memory, words.units) + ".",
         "Least velocity gain for stable sliding at the joint's own position gain, over the velocity. For a Stribeck "
         "curve the required gain falls as velocity goes to zero, for the logarithmic curve of state-variable friction "
         "it "
@@ -47,8 +48,8 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
     table.title = "What each theory requires of this joint";
     table.columns = {"", "velocity-only model", "with memory"};
     if (c.known)
-        table.rows = {{"velocity gain required at this k_{p}", demanded_text(c.k_v_velocity_only, words.units),
-                       demanded_text(c.k_v_memory, words.units)},
+        table.rows = {{"velocity gain required at this k_{p}", required_text(c.k_v_velocity_only, words.units),
+                       required_text(c.k_v_memory, words.units)},
                       {"stable k_{v} at this k_{p}", words.gains(c.k_v_velocity_only, Quantity::velocity_gain),
                        words.gains(c.k_v_memory, Quantity::velocity_gain)},
                       {"stable k_{p} at this k_{v}", words.gains(c.k_p_velocity_only, Quantity::position_gain),
@@ -70,7 +71,7 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
         table.rows.push_back(
             {"k_{v} for every velocity up to " +
                  words.velocity(study.velocities.high > 0 ? study.velocities.high : study.velocities.low),
-             demanded_text(study.range_gain->stable_k_v, words.units) +
+             required_text(study.range_gain->stable_k_v, words.units) +
                  " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
              "–"});
     if (!std::isnan(study.mix.noise))

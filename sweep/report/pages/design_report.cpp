@@ -59,11 +59,11 @@ std::vector<Headline> headlines(const DesignAnswer& a, const DesignUnits& u)
     list.push_back({Tone::neutral, u.position(d.best.motion_noise), "rms motion from sensor noise"});
     for (const auto& r : d.demands)
         list.push_back(
-            {r.met ? Tone::good : Tone::bad, demand_value(r, r.reached, a, u),
+            {r.met ? Tone::good : Tone::bad, demand_value(r, r.achieved, a, u),
              (r.name == "margin" ? "margin: " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
-                                       all_at_once(r.reached, scales_of(a)) + " at once; required: at least "
+                                       all_at_once(r.achieved, scales_of(a)) + " at once; required: at least "
                                  : demand_name(r.name) + "; required: at most ") +
-                 demand_value(r, r.demanded, a, u)});
+                 demand_value(r, r.specified, a, u)});
     return list;
 }
 

@@ -118,7 +118,7 @@ Section what_section(const Diagnosis& d)
     Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
     if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
     if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
-    what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].tell_tale + "."
+    what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].signature_text + "."
                                           : "No cause is named; these are the candidates.";
     return what;
 }

@@ -1,7 +1,7 @@
 // Figs. 1-3 of the paper.
 #include "analysis/results/text.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/pages/figures_report.h"
-#include "sweep/words/line_figure.h"
 
 namespace stickslip {
 namespace {

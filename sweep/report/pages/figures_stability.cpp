@@ -1,9 +1,9 @@
 // §4 and §5 of the paper as charts.
 #include "analysis/results/text.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/pages/figures_report.h"
-#include "sweep/words/line_figure.h"
 
 namespace stickslip {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace stickslip {
 namespace {
 
 using Tone = Headline::Tone;
-
-constexpr double near_factor = 1.2;  // a factor: closer than this, an alert
 
 std::string number_with_unit(double value, const Axis& axis, Units units, int digits = 3)
 {

@@ -19,7 +19,7 @@ struct DesignVerdict {
 /// stays at rest.
 DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region, bool rests = false);
 
-/// Whether a boundary lies within a factor of 1.2 of the design along one parameter.
+/// Whether a boundary lies within `near_factor` of the design along one parameter.
 bool near_boundary(const std::vector<Margin>& margins);
 
 /// The nearest boundary of all parameters, by factor.

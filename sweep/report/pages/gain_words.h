@@ -2,7 +2,7 @@
 // sweep/report/pages.
 #pragma once
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/words/interval_text.h"
 
 #include <cmath>
 #include <numbers>

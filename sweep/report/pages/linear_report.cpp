@@ -7,7 +7,7 @@
 #include "sweep/report/pages/comparison_section.h"
 #include "sweep/report/pages/first_screen.h"
 #include "sweep/report/pages/reduction_section.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/words/interval_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -40,7 +40,7 @@ Headline demand(const char* theory, const std::vector<Interval>& stable, double 
     if (high == infinity)
         return {tone, with_unit(low, Quantity::velocity_gain, units),
                 std::string("velocity gain k_{v} to exceed for smooth sliding, ") + theory};
-    return {tone, demanded_text(stable, units), std::string("window of velocity gains for smooth sliding, ") + theory};
+    return {tone, required_text(stable, units), std::string("window of velocity gains for smooth sliding, ") + theory};
 }
 
 /// The worst reduction that still has the right number of boundaries, and how many have not.

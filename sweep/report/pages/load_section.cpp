@@ -1,7 +1,7 @@
 #include "sweep/report/pages/load_section.h"
 
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/line_figure.h"
 
 #include <cmath>
 

@@ -22,7 +22,7 @@ std::vector<Headline> headlines(const OutcomeAnswer& a)
     const LawFit& best = a.laws.front();
     if (d.verdict == Verdict::gap) {
         list.push_back({Tone::warning, std::string(best.rival->law),
-                        "what: the law that explains the rows (" + std::string(best.rival->effect) + ")"});
+                        "cause: the law that explains the rows (" + std::string(best.rival->effect) + ")"});
         list.push_back({Tone::neutral, fmt::format("{:.0f} %", 100 * best.posterior), "how sure: its probability"});
     }
     list.push_back(
@@ -33,7 +33,7 @@ std::vector<Headline> headlines(const OutcomeAnswer& a)
         if (!worst || s.share > worst->share) worst = &s;
     if (worst)
         list.push_back({Tone::neutral, worst->name,
-                        fmt::format("where: {:.0f} % of what the nominal joint gets wrong", 100 * worst->share)});
+                        fmt::format("location: {:.0f} % of what the nominal joint gets wrong", 100 * worst->share)});
     return list;
 }
 
@@ -69,7 +69,7 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
 
     Section what{"what",
                  "Which law",
-                 d.effects.empty() ? "" : "Signature of the best: " + d.effects[0].tell_tale + ".",
+                 d.effects.empty() ? "" : "Signature of the best: " + d.effects[0].signature_text + ".",
                  {},
                  {laws_table(a), numbers_table(a)}};
     Section where{"where", "Where the nominal joint is wrong", "", {}, {}};

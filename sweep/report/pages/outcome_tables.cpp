@@ -33,7 +33,7 @@ Table laws_table(const OutcomeAnswer& a)
 
 Table numbers_table(const OutcomeAnswer& a)
 {
-    Table t{"Parameters of the best law", {"number", "value", "standard error", "unit"}, {}};
+    Table t{"Parameters of the best law", {"parameter", "value", "standard error", "unit"}, {}};
     const LawFit& f = a.laws.front();
     for (std::size_t i = 0; i < f.values.size(); ++i) {
         const bool determined = f.standard_error[i] < 2 * std::abs(f.values[i]);

@@ -1,5 +1,6 @@
 #include "sweep/report/pages/comparison_section.h"
 
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/pages/gain_words.h"
 
 #include <algorithm>

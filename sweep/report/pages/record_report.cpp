@@ -1,8 +1,8 @@
 #include "sweep/report/pages/record_report.h"
 
 #include "analysis/results/text.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/words/heading_text.h"
-#include "sweep/words/line_figure.h"
 
 #include <algorithm>
 #include <cmath>

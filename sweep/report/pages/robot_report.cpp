@@ -90,7 +90,7 @@ Table causes_table_of(const RobotAnswer& robot, bool linked, TableMarks& all_mar
     });
     Table t{"Share of each cause in the gap of each joint", {"joint", "outcome"}, {}};
     t.columns.insert(t.columns.end(), effects.begin(), effects.end());
-    if (refitted) t.columns.emplace_back("numbers refitted");
+    if (refitted) t.columns.emplace_back("parameters refitted");
     t.columns.emplace_back("what remains");
     CellMarks& marks = all_marks[t.title];
     for (const auto& joint : robot.joints) {

@@ -1,7 +1,7 @@
 #include "sweep/report/pages/set_point_design_report.h"
 
 #include "analysis/results/text.h"
-#include "sweep/words/line_figure.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/words/set_point_design_text.h"
 
 #include <algorithm>

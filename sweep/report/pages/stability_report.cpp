@@ -68,7 +68,9 @@ void add_alerts(Report& report, const SweepSummary& summary, const std::vector<c
         if (!map->design.inside)
             report.alerts.push_back({Tone::warning, "The design point lies outside the chart over " + map->x.name +
                                                         " and " + map->y.name + "."});
-    if (near) report.alerts.push_back({Tone::warning, "The design lies within a factor of 1.2 of its boundary."});
+    if (near)
+        report.alerts.push_back(
+            {Tone::warning, "The design lies within a factor of " + plain_number(near_factor) + " of its boundary."});
     for (const auto& [reason, count] : summary.reasons)
         report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : " points have") +
                                                     " no verdict: " + reason_text(reason) + "."});

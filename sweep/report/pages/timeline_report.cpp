@@ -169,7 +169,7 @@ Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
             break;
         }
     r.sections.push_back({"numbers",
-                          "Which number moved",
+                          "Which parameter moved",
                           "A change is compared with the standard error of both values together; beyond 3 it exceeds "
                           "noise. A parameter that only one diagnosis names cannot be compared.",
                           {},
@@ -209,10 +209,11 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
         numbers.figures.push_back(number_figure(t, drawn[i], i));
     if (t.numbers.size() > numbers.figures.size())
         numbers.text = fmt::format(
-            "{} numbers in all; those of the joint that most runs name are drawn, timeline.json has every one.",
+            "{} parameters in all; those of the joint that most runs name are drawn, timeline.json has every one.",
             t.numbers.size());
     if (!numbers.figures.empty()) r.sections.push_back(std::move(numbers));
-    r.not_checked = {"Whether all runs began from the same joint file: numbers of causes are changes of what it says."};
+    r.not_checked = {
+        "Whether all runs began from the same joint file: parameters of causes are changes of its values."};
     r.provenance = std::move(provenance);
     return page;
 }

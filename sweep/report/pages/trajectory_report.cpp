@@ -2,10 +2,10 @@
 
 #include "analysis/results/text.h"
 #include "analysis/stability/linear_joint.h"
+#include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/thinned_line.h"
 #include "sweep/report/pages/ending.h"
 #include "sweep/words/heading_text.h"
-#include "sweep/words/line_figure.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/verdict_text.h"
 

@@ -1,4 +1,4 @@
-// Two diagnoses of one joint: is the gap new, which cause came or went, which number moved and how far.
+// Two diagnoses of one joint: is the gap new, which cause came or went, which parameter moved and how far.
 #pragma once
 #include "sweep/study/compare/diagnosis_facts.h"
 

@@ -51,7 +51,8 @@ class ContinuousMachine {
     }
     ContinuousMachine(const ContinuousMachine&) = delete;
 
-    /// What the encoder reads at every tick while the joint follows a reference and its rate (INTERFACE §2).
+    /// What the encoder reads at every tick while the joint follows a reference and its rate (docs/theory.md, real
+    /// loops).
     std::vector<double> follow(const std::function<double(double)>& reference,
                                const std::function<double(double)>& rate, int ticks)
     {

@@ -13,7 +13,7 @@ namespace {
 using One = lanes::Pack<1, 1>;
 
 struct Flat {
-    Rubs<One> rubs;
+    FrictionPack<One> pack;
 
     explicit Flat(const Friction& friction)
     {
@@ -22,15 +22,15 @@ struct Flat {
         joint.friction = friction;
         joint.control.k_p = 1;
         const Plant plant = flatten(joint);
-        load_rubs(rubs, 0, plant.motor);
-        rubs.has = terms_of(plant.motor);
+        load_frictions(pack, 0, plant.motor);
+        pack.has = terms_of(plant.motor);
     }
-    /// The friction of a body without bristles at this velocity and state, as `rub` puts it together.
-    double force(double V, const RubState<One>& s) const
+    /// The friction of a body without bristles at this velocity and state, as `friction_step` puts it together.
+    double force(double V, const FrictionState<One>& s) const
     {
         const One direction = std::copysign(1.0, V), speed = std::abs(V);
         const Surroundings<One> nowhere{0.0, 0.0};
-        return (direction * (resistance(rubs, s, speed, direction, nowhere) + viscous(rubs, direction) * speed))[0];
+        return (direction * (resistance(pack, s, speed, direction, nowhere) + viscous(pack, direction) * speed))[0];
     }
 };
 
@@ -88,13 +88,13 @@ TEST_CASE("a lag of a record's friction is that of the laws: of the level, and o
                     INFO(V << ", state times " << factor << (whole ? ", whole force" : ", level"));
                     States states = steady_state(friction, V);
                     states[0] *= factor;
-                    RubState<One> s;
+                    FrictionState<One> s;
                     (whole ? s.force : s.speed) = states[0];
                     const auto law = respond(friction, V, states);
                     CHECK(flat.force(V, s) == Approx(law.force).epsilon(1e-12));
                     constexpr double h = 1e-6;
-                    RubState<One> next = s;
-                    remember(flat.rubs, next, One(speed), One(h));
+                    FrictionState<One> next = s;
+                    remember(flat.pack, next, One(speed), One(h));
                     const double rate = ((whole ? next.force : next.speed)[0] - states[0]) / h;
                     CHECK(rate == Approx(law.rate[0]).epsilon(1e-4).margin(1e-6));
                 }
@@ -115,13 +115,13 @@ TEST_CASE("the memory of a record's friction is that of the laws, slip and agein
                 INFO("V = " << V << ", state off by " << away << (form == MemoryForm::slip ? ", slip" : ", ageing"));
                 States states = steady_state(friction, V);
                 states[0] += away;
-                RubState<One> s;
+                FrictionState<One> s;
                 s.theta = states[0];
                 const auto law = respond(friction, V, states);
                 const double held = std::log1p(1e-3 * V_star / V);
                 CHECK(flat.force(V, s) == Approx(law.force).margin(A * held + 1e-9));
                 const double h = 1e-6 * L / V;
-                const double rate = (remembered(flat.rubs, s.theta, One(V), One(h))[0] - states[0]) / h;
+                const double rate = (remembered(flat.pack, s.theta, One(V), One(h))[0] - states[0]) / h;
                 CHECK(rate == Approx(law.rate[0]).epsilon(1e-3).margin(V / L * B * (held + 1e-5)));
             }
     }
@@ -138,7 +138,7 @@ TEST_CASE("the rate-and-state law of a record is the law itself", "[gap][frictio
         INFO("V = " << V);
         States states = steady_state(friction, V);
         states[0] += 0.05;
-        RubState<One> s;
+        FrictionState<One> s;
         s.theta = states[0];
         CHECK(flat.force(V, s) ==
               Approx(respond(friction, V, states).force).margin(0.08 * std::log1p(1e-7 / V) + 1e-9));
@@ -158,16 +158,17 @@ TEST_CASE("the bristles of a record's friction bend as those of the laws", "[gap
                 States states = steady_state(friction, V);
                 states[0] *= share;
                 const auto law = respond(friction, V, states);
-                RubState<One> s;
+                FrictionState<One> s;
                 s.bristle = states[0];
                 // against a force without inertia to move nothing changes the velocity: the bristle alone moves
-                rub(flat.rubs, s, One(V), One(0.0), One(0.0), One(h), Surroundings<One>{0.0, 0.0});
+                friction_step(flat.pack, s, One(V), One(0.0), One(0.0), One(h), Surroundings<One>{0.0, 0.0});
                 CHECK((s.bristle[0] - states[0]) / h == Approx(law.rate[0]).epsilon(1e-3).margin(1e-6));
                 // the force by which it slows a body down, per mobility
-                RubState<One> again;
+                FrictionState<One> again;
                 again.bristle = states[0];
                 constexpr double mobility = 1e-9;
-                const double next = rub(flat.rubs, again, One(V), One(0.0), One(mobility), One(h), {0.0, 0.0})[0];
+                const double next =
+                    friction_step(flat.pack, again, One(V), One(0.0), One(mobility), One(h), {0.0, 0.0})[0];
                 CHECK((V - next) / mobility == Approx(law.force).epsilon(1e-4).margin(1e-6));
             }
 }

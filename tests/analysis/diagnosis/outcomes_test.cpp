@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/outcomes/explain.h"
 #include "analysis/diagnosis/outcomes/side.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
@@ -252,7 +253,7 @@ TEST_CASE("guessing the middle amplitude costs as much as the amplitudes differ"
     CHECK(guessed_amplitudes(o) == Approx(0).margin(1e-12));
     // two sizes, far apart: every row that judges is wrong by as much as a row can be
     for (std::size_t i = 0; i < o.size(); i += 4) o.table.rows[i].amplitude = o.table.rows[i + 1].amplitude = 1;
-    CHECK(guessed_amplitudes(o) == Approx(-worst_amplitude * (36 - 4)));
+    CHECK(guessed_amplitudes(o) == Approx(-policy::worst_amplitude * (36 - 4)));
     for (auto& row : o.table.rows) row.amplitude = not_set;
     CHECK(guessed_amplitudes(o) == 0);
 }

@@ -34,7 +34,7 @@ TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is sett
     CHECK(d.verdict == Verdict::unknown);
     CHECK(d.ambiguous_with.empty());
     REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0] == Note{.code = Note::Code::withdrawn_worse, .names = {"stribeck"}});
+    CHECK(d.reasons[0] == Note{.code = Note::Code::rejected_worse, .names = {"stribeck"}});
     CHECK(d.effects.size() == 2);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a cause that predictions leave open and that hardly helps on held-out
     CHECK(reject_if_not_validated(d, {}));
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0] == Note{.code = Note::Code::withdrawn_leaves_most, .names = {"stribeck"}});
+    CHECK(d.reasons[0] == Note{.code = Note::Code::rejected_leaves_most, .names = {"stribeck"}});
     CHECK(d.effects[0].probability + d.effects[1].probability < 0.2);
     // two simulations of a joint that sticks or slips by chance differ by more than two of the nominal one
     d = leaving(3, 2.4);
@@ -99,7 +99,7 @@ TEST_CASE("a cause that leaves many floors which nobody documented is not named"
     CHECK(reject_if_not_validated(d, {}));
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 1);
-    CHECK(d.reasons[0] == Note{.code = Note::Code::withdrawn_in_many_floors, .names = {"stribeck"}, .values = {7.5}});
+    CHECK(d.reasons[0] == Note{.code = Note::Code::rejected_in_many_floors, .names = {"stribeck"}, .values = {7.5}});
     for (const auto& standing : {Standing{.settled = true}, Standing{.noise_documented = true}}) {
         d = leaving(15, 7.5);
         CHECK_FALSE(reject_if_not_validated(d, standing));
@@ -115,7 +115,7 @@ TEST_CASE("a cause that leaves a rest and needs an implausible number is not nam
     CHECK(d.verdict == Verdict::gap);
     CHECK(reject_if_not_validated(d, {.noise_documented = true}));
     CHECK(d.verdict == Verdict::unknown);
-    CHECK(d.reasons.at(0) == Note{.code = Note::Code::withdrawn_implausible, .names = {"stribeck"}});
+    CHECK(d.reasons.at(0) == Note{.code = Note::Code::rejected_implausible, .names = {"stribeck"}});
 }
 
 TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that the whole motion shows", "[gap]")

@@ -116,7 +116,7 @@ TEST_CASE("a force below the friction level never moves the mass, one above it d
 
 TEST_CASE("the sampled loop without friction is the matrix exponential with hold", "[gap]")
 {
-    // ẍ = (u − F_v ẋ)/m; exact discretisation over one tick, u from the recursion of INTERFACE §2
+    // ẍ = (u − F_v ẋ)/m; exact discretisation over one tick, u from the recursion of docs/theory.md, real loops
     Joint joint = sliding_mass(1.3, 0, 2.1);
     joint.control.velocity_estimate.tau = 0.003;
     joint.control.k_p = 900;

@@ -69,15 +69,52 @@ inline Joint nominal_arm()
     return j;
 }
 
+/// Where the machine is, and what hangs on it.
+struct MachineState {
+    double q = 0, v = 0;
+    double hung_at = 0, hung_speed = 0, followed = 0;
+};
+
+/// A step of h under the command u, from time t on.
+inline void step(const Machine& m, MachineState& s, double u, double t, double h)
+{
+    constexpr double band = 1e-6;
+    auto& [q, v, hung_at, hung_speed, followed] = s;
+    if (m.bellows_creeps)
+        followed += h * std::abs(v) * (q - followed) / m.bellows_play;
+    else
+        followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
+    const double stretch = hung_at - q, hardened = 1 + std::pow(stretch / m.hung_stretch, 2);
+    const double spring = m.hung > 0 ? m.hung_stiffness * hardened * stretch + m.hung_damping * (hung_speed - v) : 0.0;
+    hung_speed -= m.hung > 0 ? h / m.hung * spring : 0.0;
+    hung_at += h * hung_speed;
+    const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load - m.gravity * std::sin(q) -
+                        m.cubic * q * q * q - m.bellows * followed +
+                        m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
+    const double fast = v / m.peak_velocity;
+    const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q) + m.peak / (1 + fast * fast);
+    if (std::abs(v) < band && std::abs(push) <= level) {
+        v = 0;
+        return;
+    }
+    const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
+    const double carried = m.picked_up * std::clamp((t - m.picked_up_at) / 0.5, 0.0, 1.0);
+    const double next =
+        v + h / (m.inertia - m.hung + carried) *
+                (push - direction * level - m.viscous * v - m.drag * v * std::abs(v) - m.one_way * std::abs(v));
+    v = next * v < 0 ? 0 : next;
+    q += h * v;
+}
+
 inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
 {
     Record r;
     r.name = "run-" + std::to_string(seed);
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
-    constexpr double period = 1e-3, h = 1e-5, band = 1e-6;
-    double hung_at = 0, hung_speed = 0;
-    double q = 0, v = 0, estimate = 0, last = 0, followed = 0, share = 0;
+    constexpr double period = 1e-3, h = 1e-5;
+    MachineState now;
+    double estimate = 0, last = 0, share = 0;
     const double slow = 1.3 + 0.2 * seed, quick = 5.1 + seed;
     for (int k = 0; k < static_cast<int>(seconds / period); ++k) {
         const double t = k * period;
@@ -85,7 +122,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
             const double smooth = std::min(1.0, s) * (0.08 * std::sin(slow * s) + 0.02 * std::sin(quick * s));
             return m.amplitude * smooth + (t > m.step_time - 0.5 * period ? m.step : 0.0);
         };
-        double y = q + m.noise * normal(random);
+        double y = now.q + m.noise * normal(random);
         y = m.quantum * std::round(y / m.quantum);
         if (k > 0) estimate += period / (m.tau + period) * ((y - last) / period - estimate);
         last = y;
@@ -104,36 +141,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         r.effort_command.push_back(u);
         if (m.effort_noise > 0)
             r.effort_measured.push_back(std::clamp(m.gain * u, -m.limit, m.limit) + m.effort_noise * normal(random));
-        for (int i = 0; i < 100; ++i) {
-            if (m.bellows_creeps)
-                followed += h * std::abs(v) * (q - followed) / m.bellows_play;
-            else
-                followed = std::clamp(followed, q - m.bellows_play, q + m.bellows_play);
-            const double stretch = hung_at - q, hardened = 1 + std::pow(stretch / m.hung_stretch, 2);
-            const double spring =
-                m.hung > 0 ? m.hung_stiffness * hardened * stretch + m.hung_damping * (hung_speed - v) : 0.0;
-            hung_speed -= m.hung > 0 ? h / m.hung * spring : 0.0;
-            hung_at += h * hung_speed;
-            const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load - m.gravity * std::sin(q) -
-                                m.cubic * q * q * q - m.bellows * followed +
-                                m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
-            const double fast = v / m.peak_velocity;
-            const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q) + m.peak / (1 + fast * fast);
-            if (std::abs(v) < band && std::abs(push) <= level) {
-                v = 0;
-                continue;
-            }
-            const double direction = std::abs(v) < band ? std::copysign(1.0, push) : std::copysign(1.0, v);
-            const double carried = m.picked_up * std::clamp((t + i * h - m.picked_up_at) / 0.5, 0.0, 1.0);
-            const double next =
-                v + h / (m.inertia - m.hung + carried) *
-                        (push - direction * level - m.viscous * v - m.drag * v * std::abs(v) - m.one_way * std::abs(v));
-            if (next * v < 0)
-                v = 0;
-            else
-                v = next;
-            q += h * v;
-        }
+        for (int i = 0; i < 100; ++i) step(m, now, u, t + i * h, h);
     }
     return r;
 }

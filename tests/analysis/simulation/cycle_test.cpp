@@ -1,4 +1,4 @@
-// Limit cycles by shooting against the published numbers of PHYSICS: a continuation program and simulation found them.
+// Limit cycles by shooting against numbers that a continuation program and simulation found.
 #include "analysis/simulation/attractor/cycle.h"
 
 #include "tests/analysis/simulation/joints.h"

@@ -17,7 +17,7 @@ TEST_CASE("stable loops that integrate are followed from large disturbances to t
         Joint joint = example_joint(asked.k_p, 10, 1e-3);
         joint.control.k_i = asked.k_i;
         const auto verdict = loop_verdict(joint, {});
-        CHECK(verdict.region == LoopRegion::stable);
+        CHECK(verdict.region == NonlinearRegion::stable);
         CHECK(verdict.reason == Reason::none);
     }
 }

@@ -22,7 +22,7 @@ inline Joint dimensionless_joint(double K, double M, double beta, double c)
     return joint;
 }
 
-/// The example of PHYSICS §3-4: A = 1, B = 1.5 N, L = 10 µm, f0 = 60 N at V* = 1 mm/s, m = 1 kg.
+/// The example joint: A = 1, B = 1.5 N, L = 10 µm, f0 = 60 N at V* = 1 mm/s, m = 1 kg.
 inline Joint example_joint(double k_p, double k_v, double V0)
 {
     Joint joint = dimensionless_joint(k_p, 1, 1.5, k_v);

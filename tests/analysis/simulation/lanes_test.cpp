@@ -277,7 +277,7 @@ TEST_CASE("lanes against CVODE at rtol 1e-11: random joints", "[lanes][slow]")
 
 TEST_CASE("lanes against CVODE at rtol 1e-11: disturbances of stated kind and size", "[lanes][slow]")
 {
-    // two joints beside each other's fold (PHYSICS of the bistable strip), so that both ends of a disturbance are met
+    // two joints beside each other's fold (the bistable strip), so that both ends of a disturbance are met
     std::vector<Joint> strip;
     for (const double k_p : {19600.0, 21000.0, 23500.0, 26000.0}) strip.push_back(example_joint(k_p, 47.5, 1e-2));
     int reached = 0, decayed = 0, by_lanes = 0, asked = 0;

@@ -117,11 +117,11 @@ TEST_CASE("sampled loop: elements of friction that slip at their yield force tak
     joint.friction.law = law;
     const auto sampled = loop_verdict(joint, {});
     CHECK(sampled.growth_rate == Approx(real_growth(joint, 0.0144, false)).epsilon(1e-5));
-    CHECK(sampled.region == LoopRegion::stable);
+    CHECK(sampled.region == NonlinearRegion::stable);
     joint.control.period = not_set, joint.control.velocity_estimate = {}, joint.actuator.effort_gain = 2;
     const auto amplified = loop_verdict(joint, {});  // −(2 k_v + viscous)/2m
     CHECK(amplified.growth_rate == Approx(-40.95).epsilon(1e-3));
-    CHECK(amplified.region == LoopRegion::stable);
+    CHECK(amplified.region == NonlinearRegion::stable);
 }
 
 TEST_CASE("sampled loop: a joint whose rates leave no time step is refused in words", "[sampled]")

@@ -76,7 +76,7 @@ TEST_CASE("windows of k_v and k_p end where the spectrum of either theory turns,
 
 TEST_CASE("a lag and LuGre forbid what velocity-only allows", "[stability]")
 {
-    // LuGre of PHYSICS: f_v = −73.185, steady slope −428.482: at k_v = 400 memory asks for k_p > 1801.88
+    // this LuGre, by its closed form: f_v = −73.185, steady slope −428.482: at k_v = 400 memory asks for k_p > 1801.88
     Joint joint = samples::single_mass(1);
     joint.friction.law = LuGre{1e5, std::sqrt(1e5), 0.4, 1, 1.5, 1e-3};
     joint.control.V0 = 1e-3 / std::sqrt(2.0);

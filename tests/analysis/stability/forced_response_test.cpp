@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/stability/forced_response.h"
-#include "analysis/stability/loop.h"
+#include "analysis/stability/loop_margins.h"
 #include "analysis/stability/steady.h"
 #include "tests/analysis/joint/sample_joints.h"
 

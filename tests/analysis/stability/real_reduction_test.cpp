@@ -39,7 +39,7 @@ TEST_CASE("reductions of a sampled loop are compared in that loop", "[reduction]
     REQUIRE(rigid.full.size() == 2);
     CHECK(rigid.full[0] == Approx(windows[0].low).epsilon(1e-12));
     CHECK(rigid.full[1] == Approx(windows[0].high).epsilon(1e-12));
-    // one mass of 1 kg in a loop of 1 ms, PHYSICS: 57140.00431 and 2344952.884 N/m
+    // one mass of 1 kg in a loop of 1 ms: 57140.00431 and 2344952.884 N/m
     REQUIRE(rigid.reduced.size() == 2);
     CHECK(rigid.reduced[0] == Approx(57140.00431).epsilon(1e-9));
     CHECK(rigid.reduced[1] == Approx(2344952.884).epsilon(1e-9));

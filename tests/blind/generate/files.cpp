@@ -78,31 +78,27 @@ void write_actuator(Toml& t, const Drive& d)
     t.word("signal", d.kind == Drive::Kind::dc_duty ? "duty" : "voltage");
 }
 
-}  // namespace
-
-std::string joint_toml(const Setting& setting)
+void write_mechanism(Toml& t, const Machine& machine)
 {
-    Nominal n = setting.nominal;
-    n.machine = at_motor(n.machine);
-    const bool noise_stated = setting.noise_stated;
-    const auto& m = n.machine.mechanism;
-    const auto& c = n.machine.controller;
-    const auto& s = n.machine.sensors;
-    Toml t;
+    const auto& m = machine.mechanism;
     t.table("joint");
-    t.word("motion", n.machine.revolute ? "revolute" : "prismatic");
+    t.word("motion", machine.revolute ? "revolute" : "prismatic");
     t.word("model", m.bodies == 2 ? "two-mass" : "single-mass");
     if (m.bodies == 2) {
         t.number("motor_inertia", m.inertia[0]);
         t.number("link_inertia", m.inertia[1]);
         t.line("transmission", "{ stiffness = " + text(m.stiffness) + ", damping = " + text(m.damping) +
-                                   ", ratio = " + text(n.machine.reduction) + " }");
+                                   ", ratio = " + text(machine.reduction) + " }");
     } else {
         t.number("inertia", m.inertia[0]);
     }
     t.table("load");
     t.number("constant", m.constant_load);
     t.number("gravity_amplitude", m.gravity);
+}
+
+void write_control(Toml& t, const Controller& c)
+{
     t.table("control");
     t.word("kind", "position");
     t.word("feedback", "motor");
@@ -121,19 +117,30 @@ std::string joint_toml(const Setting& setting)
     t.number_if(std::isfinite(c.limit), "effort_limit", c.limit);
     t.line("velocity_estimate", "{ form = \"backward-difference\", tau = " + text(c.filter) +
                                     ", average = " + std::to_string(c.average) + " }");
+}
+
+void write_frictions(Toml& t, const Mechanism& m)
+{
     if (m.bodies == 2) {
         write_friction(t, "friction.motor", m.friction[0]);
         write_friction(t, "friction.link", m.friction[1]);
     } else {
         write_friction(t, "friction", m.friction[0]);
     }
-    write_actuator(t, n.machine.drive);
-    if (noise_stated || s.quantum > 0) {
-        t.table("sensor");
-        t.number_if(s.quantum > 0, "encoder_quantum", s.quantum);
-        t.number_if(noise_stated, "position_noise", s.position_noise);
-        t.number_if(noise_stated, "effort_noise", s.effort_noise);
-    }
+}
+
+void write_sensor(Toml& t, const Sensors& s, bool noise_stated)
+{
+    if (!noise_stated && !(s.quantum > 0)) return;
+    t.table("sensor");
+    t.number_if(s.quantum > 0, "encoder_quantum", s.quantum);
+    t.number_if(noise_stated, "position_noise", s.position_noise);
+    t.number_if(noise_stated, "effort_noise", s.effort_noise);
+}
+
+/// What differs from record to record, and the unit of their time.
+void write_records(Toml& t, const Setting& setting, const Controller& c)
+{
     for (std::size_t r = 0; r < setting.machines.size(); ++r) {
         const auto own = at_motor(setting.machines[r]).controller;
         if (own.k_p == c.k_p && own.k_v == c.k_v) continue;
@@ -145,6 +152,21 @@ std::string joint_toml(const Setting& setting)
         t.table("record.columns");
         t.line("time", "{ unit = \"ms\" }");
     }
+}
+
+}  // namespace
+
+std::string joint_toml(const Setting& setting)
+{
+    Nominal n = setting.nominal;
+    n.machine = at_motor(n.machine);
+    Toml t;
+    write_mechanism(t, n.machine);
+    write_control(t, n.machine.controller);
+    write_frictions(t, n.machine.mechanism);
+    write_actuator(t, n.machine.drive);
+    write_sensor(t, n.machine.sensors, setting.noise_stated);
+    write_records(t, setting, n.machine.controller);
     return t.str();
 }
 

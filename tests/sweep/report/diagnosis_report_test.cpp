@@ -107,7 +107,7 @@ TEST_CASE("the first sentence is as sure as the cause", "[report][gap]")
                                                "none of those listed: 48 %): on"));
     const auto page = [&] { return page_of(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))); };
     CHECK(page().verdict == "Likeliest, not certain (49 %): Friction remembers how it slid before.");
-    CHECK_THAT(page().headlines[2].meaning, Contains("none of those listed has 48 %"));
+    CHECK_THAT(page().headlines[2].meaning, Contains("48 % that the cause is not listed"));
     // what two causes that nothing distinguishes have together counts
     d.effects[1].probability = 0.45, d.ambiguous_with = {{"stribeck"}};
     CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from one of frictional-memory, stribeck, which"));
@@ -344,8 +344,8 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     fine.reasons = {{Note::Code::within_noise}};
     const auto page = page_of(fine, j, j);
     CHECK(page.alerts.empty());
-    CHECK(page.headlines[0].value == "nothing");
-    CHECK(page.headlines.back().value == "nowhere");
+    CHECK(page.headlines[0].value == "none");
+    CHECK(page.headlines.back().value == "none");
     for (const auto& s : page.sections) CHECK(s.id != "where");
 
     Diagnosis foreign;

@@ -2,6 +2,7 @@
 #include "sweep/words/verdict_text.h"
 #include "sweep/study/open_verdict.h"
 #include "sweep/words/open_text.h"
+#include "sweep/words/plain_text.h"
 
 #include <catch2/catch.hpp>
 

@@ -16,7 +16,8 @@ using namespace stickslip;
 
 namespace {
 
-/// All that a loop remembers between two ticks, and one tick of it as INTERFACE §2 says: read, estimate, command, hold.
+/// All that a loop remembers between two ticks, and one tick of it (docs/theory.md, real loops): read, estimate,
+/// command, hold.
 // the multipliers crowd around 1: their distance from it is what counts, and double loses it
 using Real = long double;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;

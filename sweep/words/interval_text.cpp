@@ -1,6 +1,4 @@
-#include "sweep/words/line_figure.h"
-
-#include "analysis/results/text.h"
+#include "sweep/words/interval_text.h"
 
 #include <cmath>
 
@@ -10,28 +8,6 @@ namespace {
 constexpr int set_digits = 4;  ///< of the ends of a set of gains
 
 }  // namespace
-
-AxisName axis_label(std::string_view name, Quantity quantity, Units units)
-{
-    return {std::string(name), std::string(unit_of(quantity, units))};
-}
-
-void smooth(LineChart::Line& line, const std::function<double(double)>& y, double most, int rounds)
-{
-    Samples samples{std::move(line.x), std::move(line.y)};
-    smooth(samples, y, most, rounds);
-    line.x = std::move(samples.x), line.y = std::move(samples.y);
-}
-
-Figure line_figure(std::string id, Picture chart, std::string finding, std::string reading)
-{
-    Figure figure;
-    figure.id = std::move(id);
-    figure.caption = finding + " " + std::move(reading);
-    figure.finding = std::move(finding);
-    figure.picture = std::move(chart);
-    return figure;
-}
 
 std::vector<Interval> that_read_apart(std::vector<Interval> list, Quantity quantity, Units units)
 {
@@ -55,7 +31,7 @@ std::string intervals_text(const std::vector<Interval>& list, Quantity quantity,
     return list.empty() ? "none" : text;
 }
 
-std::string demanded_text(const std::vector<Interval>& stable, Units units)
+std::string required_text(const std::vector<Interval>& stable, Units units)
 {
     if (stable.empty()) return "no k_{v} is enough";
     const auto& [low, high] = stable.front();

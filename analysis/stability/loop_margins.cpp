@@ -1,4 +1,4 @@
-#include "analysis/stability/loop.h"
+#include "analysis/stability/loop_margins.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,12 +1,7 @@
 // Sets of gains in words.
-#include "sweep/words/line_figure.h"
-
-#include "analysis/results/text.h"
+#include "sweep/words/interval_text.h"
 
 #include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace stickslip;
 
@@ -31,20 +26,4 @@ TEST_CASE("two theories whose edges read the same differ nowhere", "[report]")
     CHECK(differ({{2027.38, 2027.3801}}) == 0);
     CHECK(differ({{2027.38, 2027.3801}, {87.6e3, 200e9}}) == 1);
     CHECK(differ({{0, 2e3}, {5e3, infinity}}) == 2);
-}
-
-TEST_CASE("a smoothed line has samples where it is steep and where it ends", "[report]")
-{
-    // ln y falls by 100 from 1 to e, where it ends; before and behind it is flat
-    const auto y = [](double x) { return x < 1 ? 1 : x > std::exp(1.0) ? missing : std::exp(-100 * std::log(x)); };
-    LineChart::Line line;
-    for (int i = -4; i <= 8; ++i) line.x.push_back(std::exp(0.5 * i)), line.y.push_back(y(line.x.back()));
-    smooth(line, y, 1, 8);
-    REQUIRE(std::is_sorted(line.x.begin(), line.x.end()));
-    for (std::size_t i = 1; i < line.x.size(); ++i) {
-        CHECK((std::isnan(line.y[i]) || line.y[i] == y(line.x[i])));
-        if (line.y[i] > 0 && line.y[i - 1] > 0) CHECK(std::abs(std::log(line.y[i] / line.y[i - 1])) <= 1);
-        if (std::isnan(line.y[i]) && !std::isnan(line.y[i - 1])) CHECK(std::log(line.x[i] / line.x[i - 1]) < 0.01);
-    }
-    CHECK(line.x.size() < 180);  // the flat parts are left as they were
 }

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/stability/joint_spectrum.h"
-#include "analysis/stability/loop.h"
+#include "analysis/stability/loop_margins.h"
 #include "analysis/stability/resolution.h"
 #include "tests/analysis/joint/sample_joints.h"
 

@@ -61,7 +61,7 @@ TEST_CASE("the numbers of a note stand in its sentence as they are", "[report]")
     CHECK(note_text({.code = Code::same_settings, .record = "t.csv", .values = {2, 100}}) ==
           "t.csv: lines 2, 100 have the same settings and both outcomes");
     CHECK_THAT(note_text({.code = Code::gains_not_judged, .values = {0.25}}), Contains("(misfit 0.250000 of its rms)"));
-    CHECK(note_text({.code = Code::withdrawn_in_many_floors, .names = {"stribeck"}, .values = {7.5}}) ==
+    CHECK(note_text({.code = Code::rejected_in_many_floors, .names = {"stribeck"}, .values = {7.5}}) ==
           "stribeck fits best, but leaves 7.5 times the noise floor on held-out data, and the joint file states no "
           "sensor noise: it is not "
           "named as the cause");

@@ -30,7 +30,7 @@ Joint limited(double limit)
 
 TEST_CASE("An integral at its limit moves no root", "[loop]")
 {
-    // the critical gains of PHYSICS.md §5 with k_i = 1e7 N/(m·s) and without
+    // the critical gains with k_i = 1e7 N/(m·s) and without
     const auto free = linear_verdict(limited(61)), stopped = linear_verdict(limited(10));
     CHECK_FALSE(free.state_variable.stable);
     CHECK(free.state_variable.k_cr == Approx(119363.430440));

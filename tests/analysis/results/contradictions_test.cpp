@@ -76,7 +76,7 @@ TEST_CASE("an answer that contradicts its own numbers is found, each by what it 
     const auto withdrawn = [](double after, double probability) {
         Diagnosis d = answer();
         d.verdict = Verdict::unknown;
-        d.reasons = {{.code = Note::Code::withdrawn_worse, .names = {"stribeck"}}};
+        d.reasons = {{.code = Note::Code::rejected_worse, .names = {"stribeck"}}};
         d.effects[0].probability = d.effects[1].probability = 0.05;
         d.ladder[0].probability = probability;
         d.overall = {20, after, 1, (400.0 - after * after) / (400 - 1), {}, 0};

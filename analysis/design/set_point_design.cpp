@@ -18,15 +18,15 @@ struct Levels {
 /// The law with its kinetic and its static friction multiplied; static friction does not fall below kinetic.
 Friction scaled(Friction friction, double kinetic, double breakaway)
 {
-    if (auto* law = std::get_if<CoulombViscous>(&friction.law)) {
-        law->coulomb *= kinetic;
-    } else if (auto* law = std::get_if<KineticStatic>(&friction.law)) {
-        law->kinetic *= kinetic;
-        law->breakaway = std::max(law->kinetic, breakaway * law->breakaway);
-    } else if (auto* law = std::get_if<Stribeck>(&friction.law)) {
-        const double at_rest = breakaway * (law->c0 + law->c2);
-        law->c0 *= kinetic;
-        law->c2 = std::max(0.0, at_rest - law->c0);
+    if (auto* level = std::get_if<CoulombViscous>(&friction.law)) {
+        level->coulomb *= kinetic;
+    } else if (auto* levels = std::get_if<KineticStatic>(&friction.law)) {
+        levels->kinetic *= kinetic;
+        levels->breakaway = std::max(levels->kinetic, breakaway * levels->breakaway);
+    } else if (auto* curve = std::get_if<Stribeck>(&friction.law)) {
+        const double at_rest = breakaway * (curve->c0 + curve->c2);
+        curve->c0 *= kinetic;
+        curve->c2 = std::max(0.0, at_rest - curve->c0);
     } else {
         throw std::invalid_argument(
             "friction.law: a design of a set point varies kinetic and static friction, expected coulomb-viscous, "

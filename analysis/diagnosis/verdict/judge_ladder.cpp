@@ -91,8 +91,14 @@ std::optional<Note> why_not(const JudgedLadder& j)
 
 }  // namespace
 
+bool JudgedLadder::too_little_for_a_force() const
+{
+    return named && !shares.rungs.empty() && shares.rungs.back() < policy::too_little_for_a_force * shares.base;
+}
+
 void hold_against(JudgedLadder& j, const FreeFit& force)
 {
+    if (j.too_little_for_a_force()) return;
     // a free force takes the small terms that every machine has along: the cause is held against it with its own
     if (!clearly_better(force, std::min(mean_log_misfit(j.winner.evaluation), j.with_small_terms))) return;
     if (j.only_corrections) {

@@ -91,11 +91,6 @@ std::optional<Note> why_not(const JudgedLadder& j)
 
 }  // namespace
 
-bool JudgedLadder::too_little_for_a_force() const
-{
-    return named && !shares.rungs.empty() && shares.rungs.back() < policy::too_little_for_a_force * shares.base;
-}
-
 void hold_against(JudgedLadder& j, const FreeFit& force)
 {
     if (j.too_little_for_a_force()) return;

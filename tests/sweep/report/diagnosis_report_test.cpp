@@ -131,7 +131,7 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
 {
     const auto r = page_of(named(), joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5)));
     REQUIRE(r.headlines.size() == 4);
-    const char* questions[] = {"what:", "how much:", "how sure:", "where:"};
+    const char* questions[] = {"cause:", "how much:", "how sure:", "location:"};
     for (std::size_t i = 0; i < 4; ++i) CHECK(r.headlines[i].meaning.starts_with(questions[i]));
     CHECK(r.headlines[0].value == "frictional-memory");
     CHECK(r.headlines[1].value == "− 76 %");

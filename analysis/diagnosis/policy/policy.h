@@ -88,12 +88,6 @@ inline constexpr double least_of_explainable_together = 0.8;
 /// the right signal with the wrong curve is not the right cause. Evidence: a cubic spring leaves more than a tenth
 /// behind gravity; Stribeck curves and bristles of another shape leave less.
 inline constexpr double nearest_in_shape = 0.12, taken_by_free_force = 0.5;
-/// Part of the gap beyond the corrections. Causes that leave less are not held against unmodelled forces. Reason: the
-/// ripple, asymmetry and drift of any machine are as large, and a free force takes them along. Evidence: with joint
-/// files that are off, all causes that left less than a hundredth were right; an encoder offset that left 0.0013 was
-/// `unknown`, because a force with hysteresis took a third of that. What comes nearest to softening ends leaves 0.09,
-/// to a cubic spring more.
-inline constexpr double too_little_for_a_force = 0.01;
 /// Part of the gap beyond the corrections. If one cause leaves more of the explainable gap, pairs are searched. Reason:
 /// two effects can explain more together than the sum of both alone; below this part the next rung finds the second.
 /// Evidence: in other cases, of four values none lies between 0.07 and 0.19.

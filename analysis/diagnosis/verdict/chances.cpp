@@ -68,11 +68,6 @@ std::vector<double> chances_of(const JudgedLadder& j)
     return chances;
 }
 
-bool JudgedLadder::too_little_for_a_force() const
-{
-    return named && !shares.rungs.empty() && shares.rungs.back() < policy::too_little_for_a_force * shares.base;
-}
-
 bool usual_of_machines(const Ladder& ladder)
 {
     const auto usual = [&](std::size_t i) {

@@ -55,9 +55,7 @@ void hold_ladder_against_free_forces(const Fit& fit, const StageProgress& progre
 {
     JudgedLadder& j = f.judged;
     const bool only_noise = j.noise_left || j.noise_below;
-    if (!j.answers() || only_noise || j.too_little_for_a_force() ||
-        mean_log_misfit(j.winner.evaluation) < policy::least_of_free_force)
-        return;
+    if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < policy::least_of_free_force) return;
     progress(DiagnosisStage::fitting_free_forces, 0.85);
     f.free = fit_free_forces(fit, j.ladder.corrections.get());
     hold_against(j, f.free[0]);

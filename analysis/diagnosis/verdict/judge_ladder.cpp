@@ -93,7 +93,6 @@ std::optional<Note> why_not(const JudgedLadder& j)
 
 void hold_against(JudgedLadder& j, const FreeFit& force)
 {
-    if (j.too_little_for_a_force()) return;
     // a free force takes the small terms that every machine has along: the cause is held against it with its own
     if (!clearly_better(force, std::min(mean_log_misfit(j.winner.evaluation), j.with_small_terms))) return;
     if (j.only_corrections) {

@@ -49,9 +49,6 @@ struct JudgedLadder {
     std::vector<std::string> with_numbers(std::vector<std::string> causes) const;
 
     bool answers() const { return named || only_corrections; }
-    /// Whether causes leave no more than the small terms of any machine, which a free force takes along: then no free
-    /// force speaks against them.
-    bool too_little_for_a_force() const;
 };
 
 /// Judges what was climbed.

@@ -261,7 +261,7 @@ TEST_CASE("a load with hysteresis is no cause of the catalogue, also where the d
     m.amplitude = 10, m.bellows = 3, m.bellows_play = 0.12;
     DiagnosisOptions options;
     options.ensemble = 4;
-    const auto d = test::answer(nominal_joint(), records_of(m), test::in_order, options).diagnosis;
+    const auto d = test::answer(test::nominal_arm(), records_of(m), test::in_order, options).diagnosis;
     CHECK(d.verdict == Verdict::unknown);
     CHECK(std::ranges::any_of(d.reasons, [](const Note& note) { return note.code == Note::Code::nearer_force; }));
 }

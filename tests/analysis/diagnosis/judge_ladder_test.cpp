@@ -153,11 +153,7 @@ TEST_CASE("corrections alone are held against free forces, which have to take as
     CHECK(answers(force(0.97, 4.5)));
     j.only_corrections = false, j.named = true;  // a rung has taken as much
     j.ladder.rungs.push_back(rung({"gravity"}, 0.1, 5));
-    j.shares.base = 1, j.shares.rungs = {0.05};
     CHECK_FALSE(answers(force(0.7, 1.3)));
-    j.shares.rungs = {0.005};  // as little as the small terms of any machine are
-    CHECK(answers(force(0.7, 1.3)));
-    j.shares.rungs = {0.05};
     // with its own ripple and cogging the cause came as near, and a free force only took those along
     j.with_small_terms = mean_log_misfit(force(0, 1.35).fit.evaluation);
     CHECK(answers(force(0.7, 1.3)));

@@ -42,7 +42,7 @@ Tone tone_of(GapChange change)
     }
 }
 
-std::string floors(double gap)
+std::string gap_text(double gap)
 {
     return std::isfinite(gap) && gap > 0 ? plain_number(gap, 3) : "–";
 }
@@ -132,8 +132,8 @@ Table runs_table(const Timeline& t, CellMarks& marks)
                 if (change.of != FoundNumber::Of::correction && is_reported(change, t.steps[i - 1]) &&
                     change.moved(standard_errors_of_a_move))
                     moved += (moved.empty() ? "" : "; ") + change_text(change);
-        table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), floors(facts.overall.before),
-                              facts.causes.empty() ? "–" : floors(facts.overall.after),
+        table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), gap_text(facts.overall.before),
+                              facts.causes.empty() ? "–" : gap_text(facts.overall.after),
                               facts.causes.empty() ? "–" : together(facts.causes), moved.empty() ? "–" : moved});
         marks.links.push_back(t.runs[i].page);
     }
@@ -159,8 +159,8 @@ Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
     r.verdict = comparison_sentence(c);
     r.tone = tone_of(c.gap);
     r.headlines = {
-        {tone_of(c.before), floors(c.before.overall.before), "× the noise floor before: " + outcome_name(c.before)},
-        {tone_of(c.after), floors(c.after.overall.before), "× the noise floor now: " + outcome_name(c.after)}};
+        {tone_of(c.before), gap_text(c.before.overall.before), "× the noise floor before: " + outcome_name(c.before)},
+        {tone_of(c.after), gap_text(c.after.overall.before), "× the noise floor now: " + outcome_name(c.after)}};
     for (const auto& change : c.numbers)
         if (change.in_both() && change.of != FoundNumber::Of::correction && is_reported(change, c)) {
             r.headlines.push_back({change.moved(standard_errors_of_a_move) ? Tone::warning : Tone::neutral,
@@ -197,9 +197,9 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
     const auto& last = t.runs.back().facts;
     r.tone = tone_of(last);
     r.headlines = {
-        {tone_of(t.runs.front().facts), floors(t.runs.front().facts.overall.before),
+        {tone_of(t.runs.front().facts), gap_text(t.runs.front().facts.overall.before),
          "× the noise floor in the first run: " + outcome_name(t.runs.front().facts)},
-        {tone_of(last), floors(last.overall.before), "× the noise floor in the last run: " + outcome_name(last)}};
+        {tone_of(last), gap_text(last.overall.before), "× the noise floor in the last run: " + outcome_name(last)}};
     Section runs{"runs", "Runs", "The date of a run links to its page.", {gap_figure(t)}, {}};
     runs.tables.push_back(runs_table(t, page.marks["Runs"]));
     r.sections.push_back(std::move(runs));

@@ -33,12 +33,19 @@ inline Joint example_joint(double k_p, double k_v, double V0)
     return joint;
 }
 
+/// The example in a loop whose velocity is a difference of readings; the period is the test's.
+inline Joint differencing_joint(double k_p, double k_v)
+{
+    Joint joint = example_joint(k_p, k_v, 1e-3);
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    return joint;
+}
+
 /// The same with k_v = 10 N·s/m at 1 mm/s in a loop of 1 kHz that differences its readings.
 inline Joint ticked_joint(double k_p, double delay = 0)
 {
-    Joint joint = example_joint(k_p, 10, 1e-3);
+    Joint joint = differencing_joint(k_p, 10);
     joint.control.period = 1e-3, joint.control.delay = delay;
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
     return joint;
 }
 

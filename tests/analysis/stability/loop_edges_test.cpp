@@ -6,22 +6,11 @@
 
 using namespace stickslip;
 
-namespace {
-
-Joint reference(double k_p, double k_v)
-{
-    Joint joint = example_joint(k_p, k_v, 1e-3);
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    return joint;
-}
-
-}  // namespace
-
 TEST_CASE("A dead time far below every other time leaves the windows as they are without it", "[loop]")
 {
     // slow roots beside it: those of the integral, k_i/k_p = 1e-3 1/s and less towards stiff springs
     for (const double k_i : {0.0, 100.0, 1e6}) {
-        Joint joint = reference(60e3, 10);
+        Joint joint = differencing_joint(60e3, 10);
         joint.control.k_i = k_i;
         const double prompt = linear_verdict(joint).state_variable.stable_intervals.at(0).low;
         for (const double delay : {1e-9, 1e-8, 1e-7}) {
@@ -38,7 +27,7 @@ TEST_CASE("A dead time far below every other time leaves the windows as they are
 TEST_CASE("Three integrators beside slow roots are counted, none of them moved by rounding", "[loop]")
 {
     // k_p 27 N/m with k_v 500: a root at −k_p/(k_v + …), a thousandth of what rounding makes of a triple pole at 0
-    Joint joint = reference(27, 500);
+    Joint joint = differencing_joint(27, 500);
     joint.friction.law = CoulombViscous{60, 20};
     joint.control.k_i = 0.02;
     joint.control.delay = 2e-3;
@@ -52,7 +41,7 @@ TEST_CASE("Three integrators beside slow roots are counted, none of them moved b
 
 TEST_CASE("A sampled cascade with a measured velocity has one integrator", "[loop]")
 {
-    Joint joint = reference(0, 0);
+    Joint joint = differencing_joint(0, 0);
     auto& c = joint.control;
     c.structure = Structure::cascade;
     c.velocity_estimate.form = EstimateForm::exact;
@@ -80,7 +69,7 @@ TEST_CASE("A sampled cascade with a measured velocity has one integrator", "[loo
 TEST_CASE("The effort of steady sliding is that at the velocity at which the joint slides", "[loop]")
 {
     // an encoder that reads 0.8 per displacement: the joint slides 1/0.8 times as fast
-    Joint scaled = reference(60e3, 10);
+    Joint scaled = differencing_joint(60e3, 10);
     scaled.friction.law = CoulombViscous{60, 5000};
     scaled.sensor.position_scale = 0.8;
     scaled.actuator.sag_effort = 100;
@@ -93,7 +82,7 @@ TEST_CASE("The effort of steady sliding is that at the velocity at which the joi
 
 TEST_CASE("An average of more readings than a map can hold is refused, not run out of memory over", "[loop]")
 {
-    Joint joint = reference(60e3, 10);
+    Joint joint = differencing_joint(60e3, 10);
     joint.control.period = 1e-3;
     joint.control.velocity_estimate.average = 1e8;
     CHECK(linear_verdict(joint).steady.reason == Reason::unsupported);
@@ -103,7 +92,7 @@ TEST_CASE("An average of more readings than a map can hold is refused, not run o
 TEST_CASE("A drive that pushes the wrong way is held by a contact up to the gain that undoes it", "[loop]")
 {
     for (const double delay : {0.0, 1e-4}) {
-        Joint joint = reference(10e3, 0);
+        Joint joint = differencing_joint(10e3, 0);
         joint.friction.law = CoulombViscous{60, 500};
         joint.control.contact_stiffness = 30e3;
         joint.control.delay = delay;

@@ -10,13 +10,6 @@ using namespace stickslip;
 
 namespace {
 
-Joint reference(double k_p, double k_v)
-{
-    Joint joint = example_joint(k_p, k_v, 1e-3);
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    return joint;
-}
-
 struct Told {
     double period, tau, delay, lag, k_v, low, high;  // high 0: no window; low 0: from 0
 };
@@ -32,7 +25,7 @@ constexpr Told table[] = {{1e-3, 0, 0, 0, 10, 57140.00431, 2344952.884},
 
 Joint told_joint(const Told& t)
 {
-    Joint joint = reference(60e3, t.k_v);
+    Joint joint = differencing_joint(60e3, t.k_v);
     joint.control.period = t.period;
     joint.control.velocity_estimate.tau = t.tau;
     joint.control.delay = t.delay;
@@ -81,7 +74,7 @@ TEST_CASE("The integral moves the critical gain to the root of a quadratic")
     const std::pair<double, double> told[] = {
         {0, 53851.485149}, {1e5, 56087.395801}, {1e6, 70075.894106}, {1e7, 119363.430440}};
     for (const auto& [k_i, k_cr] : told) {
-        Joint joint = reference(60e3, 10);
+        Joint joint = differencing_joint(60e3, 10);
         joint.control.k_i = k_i;
         const auto verdict = linear_verdict(joint);
         INFO("k_i " << k_i);
@@ -93,7 +86,7 @@ TEST_CASE("The integral moves the critical gain to the root of a quadratic")
 TEST_CASE("A cascade has the spectrum of its sum of gains")
 {
     for (const bool sampled : {false, true}) {
-        Joint cascade = reference(0, 0), sum = cascade;
+        Joint cascade = differencing_joint(0, 0), sum = cascade;
         cascade.control.structure = Structure::cascade;
         cascade.control.position_gain = 300;
         cascade.control.velocity_gain = 220;
@@ -114,10 +107,10 @@ TEST_CASE("A cascade has the spectrum of its sum of gains")
 
 TEST_CASE("As period, delay, lag and filter go to nothing the ideal loop comes out")
 {
-    const double ideal = linear_verdict(reference(60e3, 10)).state_variable.k_cr;
+    const double ideal = linear_verdict(differencing_joint(60e3, 10)).state_variable.k_cr;
     const auto lower = [](auto change) {
         const auto at = [&](double h) {
-            Joint joint = reference(60e3, 10);
+            Joint joint = differencing_joint(60e3, 10);
             change(joint, h);
             return linear_verdict(joint).state_variable.stable_intervals.at(0).low;
         };
@@ -133,16 +126,16 @@ TEST_CASE("As period, delay, lag and filter go to nothing the ideal loop comes o
 
 TEST_CASE("A motor damps by its back-EMF, and a limit below friction leaves no sliding")
 {
-    Joint joint = reference(60e3, 10);
+    Joint joint = differencing_joint(60e3, 10);
     joint.actuator.kind = ActuatorKind::dc_motor;
     joint.actuator.k_t = 2;
     joint.actuator.k_e = 5;
     joint.actuator.resistance = 0.5;
     const double damped = linear_verdict(joint).state_variable.stable_intervals.at(0).low;
-    Joint same = reference(60e3, 10 * 4 + 2 * 5 / 0.5);  // k_t/R = 4 on the command, k_t k_e/R beside it
+    Joint same = differencing_joint(60e3, 10 * 4 + 2 * 5 / 0.5);  // k_t/R = 4 on the command, k_t k_e/R beside it
     CHECK(4 * damped == Approx(linear_verdict(same).state_variable.k_cr).epsilon(1e-9));
 
-    Joint weak = reference(60e3, 10);
+    Joint weak = differencing_joint(60e3, 10);
     weak.control.effort_limit = 59;
     CHECK(linear_verdict(weak).steady.reason == Reason::limit_too_low);
     weak.control.effort_limit = 61;

@@ -481,7 +481,7 @@ class Report(unittest.TestCase):
         verdict = self.said("return document.querySelector('.verdict').innerText")
         amplitude = float(re.search(r"amplitude ([0-9.]+) ± [^ ]+ N·m", verdict)[1])
         self.assertAlmostEqual(amplitude, 6, delta=0.05)
-        for question in ("what:", "how much:", "how sure:", "where:"):
+        for question in ("cause:", "how much:", "how sure:", "location:"):
             self.assertIn(question, self.said("return document.querySelector('.cards').innerText"))
         lines = self.browser.run("return document.querySelector('.snippet pre').textContent")
         self.assertIn("[load]", lines)

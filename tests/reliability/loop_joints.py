@@ -10,7 +10,7 @@ def curve_only(f_v, states):
 
 
 class Plant:
-    pass
+    """A joint as drawn: its loop, and of its mechanism what mechanism() puts together."""
 
 
 def draw(r):
@@ -18,126 +18,171 @@ def draw(r):
     p = Plant()
     model = r.choice(['single-mass', 'single-mass', 'two-mass', 'three-mass', 'lever'])
     V0 = pick(r, 1e-4, 1e-2)
-    scale = r.choice([1, 1, pick(r, 0.8, 1.2)])
-    V = V0 / scale
-    force = r.random() < 0.15
-    p.force = force
+    p.scale = r.choice([1, 1, pick(r, 0.8, 1.2)])
+    p.V = V0 / p.scale
+    p.force = r.random() < 0.15
     text = {'joint': f'model = "{model}"\n' + ('motion = "revolute"\n' if r.random() < 0.3 else '')}
-    k_p, k_v = pick(r, 1e3, 1e6), r.choice([0, pick(r, 1, 1e3), pick(r, 1, 1e3)])
+    p.k_p, p.k_v = pick(r, 1e3, 1e6), r.choice([0, pick(r, 1, 1e3), pick(r, 1, 1e3)])
     if r.random() < 0.05:
-        k_v = -k_v / 10
-    k_c = r.choice([0, 0, pick(r, 1e2, 1e5)])
-    force_gain = pick(r, 0.1, 10) if force else 0
-    loads = []  # inertia, ratio
-    if model == 'single-mass':
-        m = pick(r, 0.1, 10)
-        text['joint'] += f'inertia = {m!r}\n'
-        inertia, ratio, springs, dampers = [m], [1.0], [], []
-    elif model == 'two-mass':
-        N = r.choice([1, pick(r, 1, 100)])
-        M, m = pick(r, 0.1, 3) / N**2, pick(r, 0.1, 3)
-        k, c = pick(r, 1e4, 1e7), r.choice([0, pick(r, 1, 300)])
-        text['joint'] += f'motor_inertia = {M!r}\nlink_inertia = {m!r}\n'
-        text['joint.transmission'] = f'stiffness = {k!r}\ndamping = {c!r}\nratio = {N!r}\n'
-        inertia, ratio, springs, dampers = [M * N**2, m], [N, 1.0], [k], [c]
-    else:
-        lever = model == 'lever'
-        N1, N2 = r.choice([1, pick(r, 1, 20)]), r.choice([1, pick(r, 1, 5)])
-        N = N1 * N2
-        M, mid, m = pick(r, 0.1, 3) / N**2, pick(r, 0.1, 3) / N2**2, pick(r, 0.1, 3)
-        side = N if lever else N2  # the first spring stands at the motor's side, or at its own joint side
-        k1, c1 = pick(r, 1e4, 1e7), r.choice([0, pick(r, 1, 300)])
-        k2, c2 = pick(r, 1e4, 1e7), r.choice([0, pick(r, 1, 300)])
-        d = pick(r, 0.1, 2)
-        text['joint'] += f'motor_inertia = {M!r}\nlink_inertia = {m!r}\n'
-        text['joint'] += f'transmission_inertia = {(mid * d * d if lever else mid)!r}\n'
-        if lever:
-            text['joint'] += f'lever_arm = {d!r}\n'
-        text['joint.motor_transmission'] = (
-            f'stiffness = {k1 / side**2!r}\ndamping = {c1 / side**2!r}\nratio = {N1!r}\n'
-        )
-        text['joint.transmission_link'] = f'stiffness = {k2!r}\ndamping = {c2!r}\nratio = {N2!r}\n'
-        inertia, ratio = [M * N**2, mid * N2**2, m], [float(N), float(N2), 1.0]
-        springs, dampers = [k1, k2], [c1, c2]
-    n = len(inertia)
+        p.k_v = -p.k_v / 10
+    p.k_c = r.choice([0, 0, pick(r, 1e2, 1e5)])
+    p.force_gain = pick(r, 0.1, 10) if p.force else 0
+    {'single-mass': draw_single_mass, 'two-mass': draw_two_masses, 'three-mass': draw_three_masses,
+     'lever': draw_lever}[model](r, p, text)
+    draw_frictions(r, p, text)
+    draw_neighbours(r, p, text)
+    draw_drive(r, p, text)
+    text['control'], sensor = draw_loop(r, p, V0)
+    if sensor:
+        text['sensor'] = sensor
+    p.text = as_toml(text)
+    p.open = lambda curve: mechanism(p, curve)
+    return p
+
+
+def draw_single_mass(r, p, text):
+    m = pick(r, 0.1, 10)
+    text['joint'] += f'inertia = {m!r}\n'
+    p.inertia, p.ratio, p.springs, p.dampers = [m], [1.0], [], []
+
+
+def draw_two_masses(r, p, text):
+    N = r.choice([1, pick(r, 1, 100)])
+    M, m = pick(r, 0.1, 3) / N**2, pick(r, 0.1, 3)
+    k, c = pick(r, 1e4, 1e7), r.choice([0, pick(r, 1, 300)])
+    text['joint'] += f'motor_inertia = {M!r}\nlink_inertia = {m!r}\n'
+    text['joint.transmission'] = f'stiffness = {k!r}\ndamping = {c!r}\nratio = {N!r}\n'
+    p.inertia, p.ratio, p.springs, p.dampers = [M * N**2, m], [N, 1.0], [k], [c]
+
+
+def draw_three_masses(r, p, text, lever=False):
+    N1, N2 = r.choice([1, pick(r, 1, 20)]), r.choice([1, pick(r, 1, 5)])
+    N = N1 * N2
+    M, mid, m = pick(r, 0.1, 3) / N**2, pick(r, 0.1, 3) / N2**2, pick(r, 0.1, 3)
+    side = N if lever else N2  # the first spring stands at the motor's side, or at its own joint side
+    k1, c1 = pick(r, 1e4, 1e7), r.choice([0, pick(r, 1, 300)])
+    k2, c2 = pick(r, 1e4, 1e7), r.choice([0, pick(r, 1, 300)])
+    d = pick(r, 0.1, 2)
+    text['joint'] += f'motor_inertia = {M!r}\nlink_inertia = {m!r}\n'
+    text['joint'] += f'transmission_inertia = {(mid * d * d if lever else mid)!r}\n'
+    if lever:
+        text['joint'] += f'lever_arm = {d!r}\n'
+    text['joint.motor_transmission'] = f'stiffness = {k1 / side**2!r}\ndamping = {c1 / side**2!r}\nratio = {N1!r}\n'
+    text['joint.transmission_link'] = f'stiffness = {k2!r}\ndamping = {c2!r}\nratio = {N2!r}\n'
+    p.inertia, p.ratio = [M * N**2, mid * N2**2, m], [float(N), float(N2), 1.0]
+    p.springs, p.dampers = [k1, k2], [c1, c2]
+
+
+def draw_lever(r, p, text):
+    draw_three_masses(r, p, text, lever=True)
+
+
+def draw_frictions(r, p, text):
+    """Friction of every body, the load, and the effort that steady sliding takes."""
+    n = len(p.inertia)
     # in a force ramp the bodies above a spring slide faster by what stretches it
     speed = [1.0] * n
-    if force:
+    if p.force:
         for i in range(n - 1, 0, -1):
-            speed[i - 1] = speed[i] + (k_p + k_c) / springs[i - 1]
-    names = ['friction'] if n == 1 else ['friction.motor', 'friction.link']
-    if n == 3:
-        names = ['friction.motor', 'friction.transmission', 'friction.link']
-    frictions, steady = [], 0.0
-    for i in range(n):
-        own = ratio[i] * speed[i] * V
-        toml, f_v, states, level = r.choice(LAWS)(r, own)
-        N = ratio[i]
+            speed[i - 1] = speed[i] + (p.k_p + p.k_c) / p.springs[i - 1]
+    names = {1: ['friction'], 2: ['friction.motor', 'friction.link'],
+             3: ['friction.motor', 'friction.transmission', 'friction.link']}[n]
+    p.frictions, steady = [], 0.0
+    for name, N, v in zip(names, p.ratio, speed):
+        toml, f_v, states, level = r.choice(LAWS)(r, N * v * p.V)
         load = 1.0
         if r.random() < 0.2:
             load = pick(r, 0.5, 2)
             toml += f'normal_load = {load!r}\n'
         # behind a reduction the force is N times as large and its velocity N times as fast
-        frictions.append((load * N * N * f_v, [(lam, N * b, load * N * h) for lam, b, h in states]))
+        p.frictions.append((load * N * N * f_v, [(lam, N * b, load * N * h) for lam, b, h in states]))
         steady += N * load * level
-        text[names[i]] = toml
-    mu = 0.0
+        text[name] = toml
+    p.mu = 0.0
     if n == 1 and r.random() < 0.15:
-        mu = r.uniform(0.05, 0.5)
-        text['friction'] += f'load_coefficient = {mu!r}\n'
+        p.mu = r.uniform(0.05, 0.5)
+        text['friction'] += f'load_coefficient = {p.mu!r}\n'
     constant = 0.0
     if r.random() < 0.2:
         constant = -pick(r, 0.1, 20)
         text['load'] = f'constant = {constant!r}\n'
-    p.effort = steady / (1 - mu) - constant
-    neighbours = []
+    p.effort = steady / (1 - p.mu) - constant
+
+
+def draw_neighbours(r, p, text):
+    p.neighbours = []
     if r.random() < 0.12:
         for _ in range(r.choice([1, 2])):
             mk = pick(r, 0.05, 3)
-            jk = r.choice([-1, 1]) * r.uniform(0.1, 0.6) * math.sqrt(mk * inertia[-1] / 2)
-            neighbours.append((mk, jk, pick(r, 1e2, 1e5), pick(r, 0.1, 300)))
-        text['neighbours'] = neighbours
-    # --- drive
-    gain, drag, lag = 1.0, 0.0, r.choice([0, pick(r, 5e-5, 1e-2)])
-    kind = r.choice(['effort', 'effort', 'motor']) if not force else r.choice(['effort', 'effort', 'motor'])
-    drive = f'lag = {lag!r}\n' if lag else ''
-    if kind == 'effort':
-        if r.random() < 0.4:
-            gain = pick(r, 0.3, 3) * r.choice([1, 1, 1, -1] if not force else [1])
-            drive += f'effort_gain = {gain!r}\n'
-        if r.random() < 0.15 and not force:
-            sag = p.effort * pick(r, 2, 100)
-            drive += f'sag_effort = {sag!r}\n'
-            gain *= (1 - p.effort / sag) ** 2
-    else:
-        k_t, k_e, R = pick(r, 0.5, 5), pick(r, 0.05, 5), pick(r, 0.1, 2)
-        drive += f'kind = "dc-motor"\nk_t = {k_t!r}\nk_e = {k_e!r}\nresistance = {R!r}\n'
-        gear = r.choice([1, pick(r, 0.5, 2)])
-        if gear != 1:
-            drive += f'effort_gain = {gear!r}\n'
-        gain, drag = gear * k_t / R, gear * k_t * k_e / R
-        volts = p.effort * R / (gear * k_t) + k_e * V
-        if r.random() < 0.4:
-            U = abs(volts) * pick(r, 1.5, 20)
-            drive += f'supply_voltage = {U!r}\n'
-            if r.random() < 0.5:
-                drive += 'signal = "duty"\n'
-                gain *= U
+            jk = r.choice([-1, 1]) * r.uniform(0.1, 0.6) * math.sqrt(mk * p.inertia[-1] / 2)
+            p.neighbours.append((mk, jk, pick(r, 1e2, 1e5), pick(r, 0.1, 300)))
+        text['neighbours'] = p.neighbours
+
+
+def draw_drive(r, p, text):
+    """What the command becomes at the motor: `gain` and `lag`, and the `drag` of a motor's back-EMF."""
+    p.gain, p.drag, p.lag = 1.0, 0.0, r.choice([0, pick(r, 5e-5, 1e-2)])
+    kind = r.choice(['effort', 'effort', 'motor'])
+    drive = f'lag = {p.lag!r}\n' if p.lag else ''
+    drive += draw_motor(r, p) if kind == 'motor' else draw_effort_drive(r, p)
     if drive:
         text['actuator'] = drive
-    sensor = f'position_scale = {scale!r}\n' if scale != 1 else ''
-    # --- loop
-    control = f'kind = "{"force" if force else "position"}"\nV0 = {V0!r}\nk_p = {k_p!r}\n'
-    if k_v:
-        control += f'k_v = {k_v!r}\n'
-    if k_c:
-        control += f'contact_stiffness = {k_c!r}\n'
-    if force:
-        control += f'force_gain = {force_gain!r}\n'
-    feedback = 'link' if n > 1 and not force and r.random() < 0.5 else 'motor'
-    control += f'feedback = "{feedback}"\n'
+
+
+def draw_effort_drive(r, p):
+    drive = ''
+    if r.random() < 0.4:
+        p.gain = pick(r, 0.3, 3) * r.choice([1] if p.force else [1, 1, 1, -1])
+        drive += f'effort_gain = {p.gain!r}\n'
+    if r.random() < 0.15 and not p.force:
+        sag = p.effort * pick(r, 2, 100)
+        drive += f'sag_effort = {sag!r}\n'
+        p.gain *= (1 - p.effort / sag) ** 2
+    return drive
+
+
+def draw_motor(r, p):
+    k_t, k_e, R = pick(r, 0.5, 5), pick(r, 0.05, 5), pick(r, 0.1, 2)
+    drive = f'kind = "dc-motor"\nk_t = {k_t!r}\nk_e = {k_e!r}\nresistance = {R!r}\n'
+    gear = r.choice([1, pick(r, 0.5, 2)])
+    if gear != 1:
+        drive += f'effort_gain = {gear!r}\n'
+    p.gain, p.drag = gear * k_t / R, gear * k_t * k_e / R
+    volts = p.effort * R / (gear * k_t) + k_e * p.V
+    if r.random() < 0.4:
+        U = abs(volts) * pick(r, 1.5, 20)
+        drive += f'supply_voltage = {U!r}\n'
+        if r.random() < 0.5:
+            drive += 'signal = "duty"\n'
+            p.gain *= U
+    return drive
+
+
+def draw_loop(r, p, V0):
+    """The tables [control] and [sensor]."""
+    control = f'kind = "{"force" if p.force else "position"}"\nV0 = {V0!r}\nk_p = {p.k_p!r}\n'
+    if p.k_v:
+        control += f'k_v = {p.k_v!r}\n'
+    if p.k_c:
+        control += f'contact_stiffness = {p.k_c!r}\n'
+    if p.force:
+        control += f'force_gain = {p.force_gain!r}\n'
+    p.feedback = 'link' if len(p.inertia) > 1 and not p.force and r.random() < 0.5 else 'motor'
+    control += f'feedback = "{p.feedback}"\n'
     p.sampled = r.random() < 0.65
     p.T = pick(r, 2e-5, 5e-3) if p.sampled else None
+    late, reading = draw_delay(r, p)
+    if late:
+        control += f'delay = {late!r}\n'
+    sensor = f'position_scale = {p.scale!r}\n' if p.scale != 1 else ''
+    if reading:
+        sensor += f'delay = {reading!r}\n'
+    control += draw_estimate(r, p)
+    return draw_integral(r, p, control), sensor
+
+
+def draw_delay(r, p):
+    """Dead time of the command and of the reading: none, whole ticks, close to whole ones, or any."""
     unit = p.T or 1e-3
     choice = r.random()
     if choice < 0.25:
@@ -151,46 +196,38 @@ def draw(r):
     reading = p.delay * r.random() if r.random() < 0.2 else 0.0
     late = p.delay - reading
     p.delay = late + reading
-    if late:
-        control += f'delay = {late!r}\n'
-    if reading:
-        sensor += f'delay = {reading!r}\n'
+    return late, reading
+
+
+def draw_estimate(r, p):
     p.tau = r.choice([0, pick(r, 1e-5, 1e-2)])
     p.average = r.choice([1, 1, 2, 3, 8, 50]) if p.sampled else 1
     p.exact = p.sampled and r.random() < 0.2
     if p.sampled:
-        control += f'period = {p.T!r}\n'
-        control += (
-            f'velocity_estimate = {{ form = "{"exact" if p.exact else "backward-difference"}", tau = {p.tau!r}, '
-            f'average = {p.average} }}\n'
-        )
-    elif p.tau:
-        control += f'velocity_estimate = {{ tau = {p.tau!r} }}\n'
-    p.k_i = 0.0
-    p.cascade = None
-    if not force:
-        if r.random() < 0.2:
-            K_pos, K_v = pick(r, 10, 2000), pick(r, 1, 1e3)
-            K_i = r.choice([0, pick(r, 10, 1e5)])
-            p.cascade = (K_pos, K_v, K_i)
-            control = control.replace(f'k_p = {k_p!r}\n', '')
-            if k_v:
-                control = control.replace(f'k_v = {k_v!r}\n', '')
-            control += f'structure = "cascade"\nposition_gain = {K_pos!r}\nvelocity_gain = {K_v!r}\n'
-            if K_i:
-                control += f'velocity_integral_gain = {K_i!r}\n'
-        elif r.random() < 0.3:
-            p.k_i = pick(r, 1e2, 1e8)
-            control += f'k_i = {p.k_i!r}\n'
-    text['control'] = control
-    if sensor:
-        text['sensor'] = sensor
-    p.k_p, p.k_v, p.force_gain = k_p, k_v, force_gain
-    p.text = as_toml(text)
-    p.open = lambda curve: mechanism(
-        inertia, springs, dampers, frictions, neighbours, mu, k_c, (k_p, k_v) if force else None, gain, drag, lag, scale,
-        feedback, curve)
-    return p
+        form = 'exact' if p.exact else 'backward-difference'
+        return (f'period = {p.T!r}\nvelocity_estimate = {{ form = "{form}", tau = {p.tau!r}, average = {p.average} }}\n')
+    return f'velocity_estimate = {{ tau = {p.tau!r} }}\n' if p.tau else ''
+
+
+def draw_integral(r, p, control):
+    """The text of the control with an integral gain, as a cascade, or as it is."""
+    p.k_i, p.cascade = 0.0, None
+    if p.force:
+        return control
+    if r.random() < 0.2:
+        K_pos, K_v = pick(r, 10, 2000), pick(r, 1, 1e3)
+        K_i = r.choice([0, pick(r, 10, 1e5)])
+        p.cascade = (K_pos, K_v, K_i)
+        control = control.replace(f'k_p = {p.k_p!r}\n', '')
+        if p.k_v:
+            control = control.replace(f'k_v = {p.k_v!r}\n', '')
+        control += f'structure = "cascade"\nposition_gain = {K_pos!r}\nvelocity_gain = {K_v!r}\n'
+        if K_i:
+            control += f'velocity_integral_gain = {K_i!r}\n'
+    elif r.random() < 0.3:
+        p.k_i = pick(r, 1e2, 1e8)
+        control += f'k_i = {p.k_i!r}\n'
+    return control
 
 
 def as_toml(text):
@@ -201,34 +238,14 @@ def as_toml(text):
     return out
 
 
-def mechanism(inertia, springs, dampers, frictions, neighbours, mu, k_c, finger, gain, drag, lag, scale, feedback, curve):
-    n, q = len(inertia), len(neighbours)
-    frictions = [curve_only(*f) if curve else f for f in frictions]
-    N = n + q
-    M, K, D = np.zeros((N, N)), np.zeros((N, N)), np.zeros((N, N))
-    for i in range(n):
-        M[i, i] = inertia[i]
-        D[i, i] += frictions[i][0]
-    for i, (k, c) in enumerate(zip(springs, dampers)):
-        e = np.zeros(N)
-        e[i], e[i + 1] = 1, -1
-        K += k * np.outer(e, e)
-        D += c * np.outer(e, e)
+def mechanism(p, curve):
+    """A, B, C, C_v of the mechanism behind its drive; `curve`: with steady curves in place of the laws."""
+    n, N = len(p.inertia), len(p.inertia) + len(p.neighbours)
     link = n - 1
-    for j, (mk, jk, k, c) in enumerate(neighbours):
-        M[n + j, n + j] = mk
-        M[n + j, link] = jk
-        M[link, n + j] = jk * (1 - mu)  # what is no inertia and no friction of its own loses that share
-        K[n + j, n + j], D[n + j, n + j] = k, c
-    # the loop keeps the share 1 - mu of its effort
-    share = 1 - mu
-    K[link, link] += k_c * (share if n == 1 else 1)
-    if finger:
-        K[link, link] += finger[0] * (share if n == 1 else 1)
-        D[link, link] += finger[1] * (share if n == 1 else 1)
-    D[0, 0] += drag * share
+    frictions = [curve_only(*f) if curve else f for f in p.frictions]
     states = [(i, s) for i in range(n) for s in frictions[i][1]]
-    size = 2 * N + len(states) + (1 if lag else 0)
+    M, K, D = bodies(p, [f_v for f_v, _ in frictions])
+    size = 2 * N + len(states) + (1 if p.lag else 0)
     A, B = np.zeros((size, size)), np.zeros(size)
     inv = np.linalg.inv(M)
     A[:N, N:2 * N] = np.eye(N)
@@ -238,18 +255,45 @@ def mechanism(inertia, springs, dampers, frictions, neighbours, mu, k_c, finger,
         A[2 * N + j, 2 * N + j] = lam
         A[2 * N + j, N + i] = b
         A[N:2 * N, 2 * N + j] -= inv[:, i] * h
-    push = inv[:, 0] * share * gain
-    if lag:
+    push = inv[:, 0] * (1 - p.mu) * p.gain
+    if p.lag:
         A[N:2 * N, size - 1] = push
-        A[size - 1, size - 1] = -1 / lag
-        B[size - 1] = 1 / lag
+        A[size - 1, size - 1] = -1 / p.lag
+        B[size - 1] = 1 / p.lag
     else:
         B[N:2 * N] = push
     C, C_v = np.zeros(size), np.zeros(size)
-    if finger:
-        C[link], C_v[link] = finger[0] + k_c, 0
-        C[N + link] = finger[1]
+    if p.force:
+        C[link], C_v[link] = p.k_p + p.k_c, 0
+        C[N + link] = p.k_v
     else:
-        at = link if feedback == 'link' else 0
-        C[at], C_v[N + at] = scale, scale
+        at = link if p.feedback == 'link' else 0
+        C[at], C_v[N + at] = p.scale, p.scale
     return A, B, C, C_v
+
+
+def bodies(p, slopes):
+    """M, K, D of bodies and neighbours: springs, surroundings, finger, and the friction's slope of every body."""
+    n, N = len(p.inertia), len(p.inertia) + len(p.neighbours)
+    M, K, D = np.zeros((N, N)), np.zeros((N, N)), np.zeros((N, N))
+    for i in range(n):
+        M[i, i] = p.inertia[i]
+        D[i, i] += slopes[i]
+    for i, (k, c) in enumerate(zip(p.springs, p.dampers)):
+        e = np.zeros(N)
+        e[i], e[i + 1] = 1, -1
+        K += k * np.outer(e, e)
+        D += c * np.outer(e, e)
+    link = n - 1
+    share = 1 - p.mu  # the loop keeps it of its effort
+    for j, (mk, jk, k, c) in enumerate(p.neighbours):
+        M[n + j, n + j] = mk
+        M[n + j, link] = jk
+        M[link, n + j] = jk * share  # what is no inertia and no friction of its own loses the rest
+        K[n + j, n + j], D[n + j, n + j] = k, c
+    K[link, link] += p.k_c * (share if n == 1 else 1)
+    if p.force:
+        K[link, link] += p.k_p * (share if n == 1 else 1)
+        D[link, link] += p.k_v * (share if n == 1 else 1)
+    D[0, 0] += p.drag * share
+    return M, K, D

@@ -1,8 +1,8 @@
 // One trajectory of one joint.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/disturbance.h"
 #include "analysis/results/trajectory.h"
-#include "analysis/simulation/flows/disturbance.h"
 #include "analysis/stability/forced_response.h"
 
 #include <string>

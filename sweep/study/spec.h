@@ -2,8 +2,8 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/results/boundary.h"
+#include "analysis/results/disturbance.h"
 #include "analysis/results/stability_map.h"
-#include "analysis/simulation/flows/disturbance.h"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace stickslip {
 
-/// The disturbance of analysis/simulation/flows/disturbance.h as it stands in a file.
+/// The disturbance of analysis/results/disturbance.h as it stands in a file.
 struct DisturbanceSpec {
     static constexpr Choice<DisturbanceKind> kinds[] = {
         {"position", DisturbanceKind::position}, {"velocity", DisturbanceKind::velocity},

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "tests/analysis/simulation/dense_map.h"
+#include "tests/analysis/simulation/dense/dense_map.h"
 #include "tests/analysis/simulation/joints.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include "sweep/engine/cursor.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/embedded.h"
-#include "tests/analysis/simulation/lanes_comparison.h"
+#include "tests/analysis/simulation/lanes/lanes_comparison.h"
 
 namespace {
 

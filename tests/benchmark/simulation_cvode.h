@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/analysis/simulation/cvode_groups.h"
+#include "tests/analysis/simulation/lanes/cvode_groups.h"
 
 namespace stickslip::benchmark {
 

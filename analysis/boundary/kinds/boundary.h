@@ -3,7 +3,7 @@
 #include "analysis/base/parallel_for.h"
 #include "analysis/boundary/trace/follow.h"
 #include "analysis/joint/joint.h"
-#include "analysis/simulation/flows/disturbance.h"
+#include "analysis/results/disturbance.h"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #include "analysis/joint/joint.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/numerics/root.h"
-#include "analysis/simulation/flows/disturbance.h"
+#include "analysis/results/disturbance.h"
 
 #include <algorithm>
 

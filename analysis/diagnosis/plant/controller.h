@@ -1,7 +1,7 @@
 // The sampled controller of a record (docs/theory.md, real loops): that of the simulation, in the frame of the room.
 #pragma once
 #include "analysis/diagnosis/plant/plant.h"
-#include "analysis/simulation/sampled/loop_controller.h"
+#include "analysis/simulation/sampled/closed_loop/loop_controller.h"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 // The nonlinear truth about one joint: what a disturbance ends in, and which outcomes coexist.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/results/disturbance.h"
 #include "analysis/results/nonlinear_verdict.h"
 #include "analysis/results/point.h"
-#include "analysis/simulation/flows/disturbance.h"
 
 #include <string>
 

@@ -1,7 +1,8 @@
 // The slowest mode of steady sliding in the variables of a flow, and disturbances that excite it.
 #pragma once
+#include "analysis/results/disturbance.h"
 #include "analysis/simulation/flows/chain_flow.h"
-#include "analysis/simulation/flows/disturbance.h"
+#include "analysis/simulation/flows/growth_window.h"
 
 #include <complex>
 

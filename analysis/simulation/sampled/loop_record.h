@@ -1,6 +1,6 @@
 // A record of a joint along a reference, as its controller would have logged it.
 #pragma once
-#include "analysis/simulation/sampled/sampled_loop.h"
+#include "analysis/simulation/sampled/closed_loop/sampled_loop.h"
 
 namespace stickslip {
 

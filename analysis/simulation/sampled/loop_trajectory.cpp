@@ -1,8 +1,8 @@
 #include "analysis/simulation/sampled/loop_trajectory.h"
 
 #include "analysis/joint/gains.h"
-#include "analysis/simulation/sampled/loop_mode.h"
-#include "analysis/simulation/sampled/loop_start.h"
+#include "analysis/simulation/sampled/closed_loop/loop_mode.h"
+#include "analysis/simulation/sampled/closed_loop/loop_start.h"
 #include "analysis/stability/steady.h"
 
 #include <cmath>

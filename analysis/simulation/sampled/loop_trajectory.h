@@ -1,9 +1,9 @@
 // One motion of a joint in its real loop, or under what has no steady sliding: gravity, cogging, ripple, a periodic
 // force, drift.
 #pragma once
+#include "analysis/results/disturbance.h"
 #include "analysis/results/trajectory.h"
-#include "analysis/simulation/flows/disturbance.h"
-#include "analysis/simulation/sampled/sampled_loop.h"
+#include "analysis/simulation/sampled/closed_loop/sampled_loop.h"
 
 namespace stickslip {
 

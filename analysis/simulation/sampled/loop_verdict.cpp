@@ -4,7 +4,7 @@
 #include "analysis/base/work_limits.h"
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
-#include "analysis/simulation/sampled/loop_start.h"
+#include "analysis/simulation/sampled/closed_loop/loop_start.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/simulation/solvers/work.h"
 #include "analysis/stability/effort_limits.h"

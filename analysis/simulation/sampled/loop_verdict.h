@@ -1,8 +1,8 @@
 // The nonlinear truth about a joint in its real loop: sampled, late, filtered, limited.
 #pragma once
+#include "analysis/results/disturbance.h"
 #include "analysis/results/nonlinear_verdict.h"
-#include "analysis/simulation/flows/disturbance.h"
-#include "analysis/simulation/sampled/loop_follow.h"
+#include "analysis/simulation/sampled/cycles/loop_follow.h"
 
 namespace stickslip {
 

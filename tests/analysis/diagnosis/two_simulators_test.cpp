@@ -2,7 +2,7 @@
 // make one and the same record, of every law and element that the diagnosis knows.
 #include "analysis/diagnosis/plant/record_form.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "tests/analysis/simulation/sampled_joint.h"
+#include "tests/analysis/simulation/sampled/sampled_joint.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

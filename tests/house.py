@@ -6,7 +6,8 @@ Checks that arrows between floors go down only, that no folders include each oth
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
 from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
 than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
-sentences, that tests mirror the rooms, and that comments name no file or document that is not there.
+sentences, that tests mirror the rooms, that no two types of one namespace have one name, and that comments name no file
+or document that is not there.
 """
 import re
 import sys
@@ -225,6 +226,28 @@ def files(rooms=ROOMS):
                 yield path.relative_to(SOURCE)
 
 
+OPENS = re.compile(r"(?:inline )?namespace ?([\w:]*) ?\{$")
+TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^{;]*)?(?:\s*\{.*)?$")
+
+
+def name_complaints():
+    """Two types of one full name in two files: the linker takes one of their functions for both, and says nothing."""
+    places = defaultdict(list)
+    for path in files():
+        inside = []
+        for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
+            if opened := OPENS.match(line):
+                inside.append(opened.group(1))
+            elif line.startswith("}  // namespace") and inside:
+                inside.pop()
+            elif inside and "" not in inside and (named := TYPE.match(line)):
+                places["::".join([*inside, named.group(1)])].append((path, number))
+    for name, found in sorted(places.items()):
+        for path, number in found[1:]:
+            if path != found[0][0]:
+                yield f"{path}:{number}: defines {name}, as does {found[0][0]}:{found[0][1]}"
+
+
 def circles(arrows):
     """Strongly connected sets of more than one folder (Tarjan)."""
     index, low, stack, on_stack, found = {}, {}, [], set(), []
@@ -280,6 +303,7 @@ def main():
     wrong += internal_complaints()
     wrong += public_complaints()
     wrong += house_sizes.complaints(SOURCE, files())
+    wrong += name_complaints()
     wrong += comment_complaints()
     wrong += mirror_complaints()
     wrong += policy_complaints()

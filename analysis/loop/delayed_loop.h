@@ -9,7 +9,7 @@
 
 #include "analysis/base/crossing.h"
 #include "analysis/loop/command_margins.h"
-#include "analysis/loop/sampled_loop.h"
+#include "analysis/loop/discrete_loop.h"
 
 namespace stickslip {
 
@@ -63,8 +63,8 @@ struct DelayedLoop {
 DelayedLoop delayed_loop(const DelayedPlant& plant, double delay, double tau, double lag, const LoopGains& base,
                          const LoopGains& turned);
 
-/// The same loop as sampled_loop(), with its whole ticks of dead time and delayed friction aside. Nothing where what is
-/// turned acts in two places of the loop.
+/// The same loop as discrete_loop(), with its whole ticks of dead time and delayed friction aside. Nothing where what
+/// is turned acts in two places of the loop.
 std::optional<DelayedLoop> delayed_sampled_loop(const DelayedPlant& plant, const LoopTiming& timing, double lag,
                                                 const LoopGains& base, const LoopGains& turned);
 

@@ -57,7 +57,7 @@ std::vector<Complex> rough_roots(const DelayedLoop& loop, double gain)
     wide.B = widened(plant.B.transpose(), wide.A.rows()).transpose();
     wide.C = widened(plant.C, wide.A.rows());
     wide.C_v = widened(plant.C_v, wide.A.rows());
-    const auto ticked = sampled_loop(wide, timing, base, turned);
+    const auto ticked = discrete_loop(wide, timing, base, turned);
     if (!ticked.closed(gain).allFinite()) return found;
     for (const Complex& z : multipliers(ticked, gain)) {
         const Complex s = std::log(z) / timing.period;

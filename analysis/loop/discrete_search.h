@@ -5,7 +5,7 @@
 
 #include "analysis/base/crossing.h"
 #include "analysis/loop/command_margins.h"
-#include "analysis/loop/sampled_loop.h"
+#include "analysis/loop/discrete_loop.h"
 
 namespace stickslip {
 

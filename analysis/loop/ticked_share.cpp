@@ -57,7 +57,7 @@ TickedShare::TickedShare(const TickedFriction& ticked, const std::vector<Delayed
       friction_(friction),
       share_(ticked.plant.A, ticked.plant.B, readings_of(ticked.plant), friction)
 {
-    constexpr double whole = 1e-12;  // as in sampled_loop()
+    constexpr double whole = 1e-12;  // as in discrete_loop()
     const double ticks = ticked_.timing.delay / period_, part = ticks - std::floor(ticks + whole);
     fraction_ = part > whole ? part * period_ : 0;
     take_answers();

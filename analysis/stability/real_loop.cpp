@@ -103,7 +103,7 @@ std::optional<RealLoop> real_loop(const Joint& joint, const LinearJoint& linear,
             return RealLoop{std::move(*loop), gains->gain, gains->per_gain, gains->at_none};
         if (!plant.friction.empty()) return {};
     }
-    return RealLoop{sampled_loop(plant.prompt, timing, gains->base, gains->turned), gains->gain, gains->per_gain,
+    return RealLoop{discrete_loop(plant.prompt, timing, gains->base, gains->turned), gains->gain, gains->per_gain,
                     gains->at_none};
 }
 

@@ -7,7 +7,7 @@
 #include "render/page/json.h"
 #include "render/page/layer_data.h"
 #include "render/page/line_data.h"
-#include "render/page/pack.h"
+#include "render/page/pack_arrays.h"
 #include "render/pictures/regions.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "render/drawing/colour_map.h"
 #include "render/page/figure_data.h"
 #include "render/page/json.h"
-#include "render/page/pack.h"
+#include "render/page/pack_arrays.h"
 #include "render/pictures/design_mark.h"
-#include "render/pictures/field.h"
+#include "render/pictures/signed_field.h"
 
 #include <cmath>
 #include <stdexcept>

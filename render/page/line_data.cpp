@@ -5,7 +5,7 @@
 #include "render/drawing/markup.h"
 #include "render/page/figure_data.h"
 #include "render/page/json.h"
-#include "render/page/pack.h"
+#include "render/page/pack_arrays.h"
 #include "render/pictures/line_scales.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "render/pictures/curve_style.h"
 
-#include "render/pictures/field.h"
+#include "render/pictures/signed_field.h"
 
 namespace stickslip::drawing {
 

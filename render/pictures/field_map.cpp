@@ -3,10 +3,10 @@
 #include "render/drawing/markup.h"
 #include "render/pictures/curve_style.h"
 #include "render/pictures/design_mark.h"
-#include "render/pictures/field.h"
 #include "render/pictures/picture.h"
 #include "render/pictures/region_raster.h"
 #include "render/pictures/regions.h"
+#include "render/pictures/signed_field.h"
 
 #include <algorithm>
 #include <array>

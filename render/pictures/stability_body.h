@@ -3,9 +3,9 @@
 #pragma once
 #include "analysis/results/stability_map.h"
 #include "render/axes/frame.h"
-#include "render/pictures/field.h"
 #include "render/pictures/placement.h"
 #include "render/pictures/region_raster.h"
+#include "render/pictures/signed_field.h"
 
 #include <memory>
 #include <vector>

@@ -25,11 +25,11 @@ std::uint64_t size_of(int descriptor)
 std::uint64_t next_magic(int descriptor, std::uint64_t offset, std::uint64_t size)
 {
     std::array<std::uint64_t, 8192> words;
-    while (offset + sizeof(RecordHeader) <= size) {
+    while (offset + sizeof(ChunkHeader) <= size) {
         const std::size_t count = std::min<std::uint64_t>(words.size(), (size - offset) / sizeof(std::uint64_t));
         if (!read_exactly(descriptor, std::as_writable_bytes(std::span(words.data(), count)), offset)) return size;
         const auto end = words.begin() + static_cast<std::ptrdiff_t>(count);
-        const auto found = std::find(words.begin(), end, RecordHeader::expected_magic);
+        const auto found = std::find(words.begin(), end, ChunkHeader::expected_magic);
         offset += static_cast<std::uint64_t>(found - words.begin()) * sizeof(std::uint64_t);
         if (found != end) return offset;
     }
@@ -37,7 +37,7 @@ std::uint64_t next_magic(int descriptor, std::uint64_t offset, std::uint64_t siz
 }
 
 /// Reads the record at the offset if a whole one stands there.
-bool read_record(int descriptor, std::uint64_t offset, const Plan& plan, const RowFormat& format, RecordHeader& header,
+bool read_record(int descriptor, std::uint64_t offset, const Plan& plan, const RowFormat& format, ChunkHeader& header,
                  std::vector<std::byte>& payload)
 {
     if (!read_exactly(descriptor, std::as_writable_bytes(std::span(&header, 1)), offset)) return false;
@@ -63,7 +63,7 @@ void scan_file(const std::filesystem::path& path, const Plan& plan, ChunkIndex& 
     const RowFormat format(plan.nonlinear);
     const std::uint32_t number = index.add_file(path);
     std::vector<std::byte> payload;
-    RecordHeader header;
+    ChunkHeader header;
     std::uint64_t offset = sizeof start;
     while (offset + sizeof header <= size) {
         if (read_record(file.get(), offset, plan, format, header, payload)) {
@@ -136,7 +136,7 @@ std::span<const std::byte> ChunkReader::read(std::uint64_t chunk)
         file = open_file(index_.files()[place.file], O_RDONLY);
         ++open_count_;
     }
-    RecordHeader header;
+    ChunkHeader header;
     if (!read_record(file.get(), place.offset, plan_, format_, header, buffer_) || header.chunk != chunk)
         throw std::runtime_error(
             fmt::format("{} was damaged while it was read; run the same command again to recompute what is "

@@ -88,7 +88,7 @@ class Computation {
 
     bool keep(std::uint64_t chunk, std::span<const std::byte> record)
     {
-        RecordHeader header;
+        ChunkHeader header;
         std::memcpy(&header, record.data(), sizeof header);
         const auto written = journal_.append(record);
         const std::scoped_lock lock(index_mutex_);

@@ -15,9 +15,9 @@ std::uint64_t checksum_of(const JournalHeader& header)
     return XXH3_64bits(&header, offsetof(JournalHeader, checksum));
 }
 
-std::uint64_t checksum_of(const RecordHeader& header, std::span<const std::byte> payload)
+std::uint64_t checksum_of(const ChunkHeader& header, std::span<const std::byte> payload)
 {
-    const std::uint64_t seed = XXH3_64bits(&header, offsetof(RecordHeader, checksum));
+    const std::uint64_t seed = XXH3_64bits(&header, offsetof(ChunkHeader, checksum));
     return XXH3_64bits_withSeed(payload.data(), payload.size(), seed);
 }
 
@@ -47,19 +47,19 @@ HeaderCheck check(const JournalHeader& header, const Plan& plan)
 
 std::size_t record_bytes(const RowFormat& format, std::uint64_t count)
 {
-    return sizeof(RecordHeader) + padded(format.bytes_per_point() * count);
+    return sizeof(ChunkHeader) + padded(format.bytes_per_point() * count);
 }
 
 void encode_record(const Plan& plan, const RowFormat& format, std::uint64_t chunk, std::span<const PointResult> rows,
                    std::vector<std::byte>& buffer)
 {
     buffer.resize(record_bytes(format, rows.size()));
-    const std::span payload = std::span(buffer).subspan(sizeof(RecordHeader));
+    const std::span payload = std::span(buffer).subspan(sizeof(ChunkHeader));
     const std::size_t used = format.bytes_per_point() * rows.size();
     format.pack(rows, payload.data());
     std::memset(payload.data() + used, 0, payload.size() - used);
 
-    RecordHeader header;
+    ChunkHeader header;
     header.plan_high = plan.id.high;
     header.plan_low = plan.id.low;
     header.chunk = chunk;
@@ -69,15 +69,15 @@ void encode_record(const Plan& plan, const RowFormat& format, std::uint64_t chun
     std::memcpy(buffer.data(), &header, sizeof header);
 }
 
-bool plausible(const RecordHeader& header, const Plan& plan, const RowFormat& format)
+bool plausible(const ChunkHeader& header, const Plan& plan, const RowFormat& format)
 {
-    return header.magic == RecordHeader::expected_magic && header.plan_high == plan.id.high &&
+    return header.magic == ChunkHeader::expected_magic && header.plan_high == plan.id.high &&
            header.plan_low == plan.id.low && header.chunk < plan.chunks() &&
            header.count == plan.range(header.chunk).count &&
            sizeof header + header.payload_bytes == record_bytes(format, header.count);
 }
 
-bool verifies(const RecordHeader& header, std::span<const std::byte> payload)
+bool verifies(const ChunkHeader& header, std::span<const std::byte> payload)
 {
     return payload.size() == header.payload_bytes && header.checksum == checksum_of(header, payload);
 }

@@ -20,7 +20,7 @@ struct JournalHeader {
 };
 
 /// In front of the packed rows of one chunk (RowFormat), which are padded with zeros.
-struct RecordHeader {
+struct ChunkHeader {
     static constexpr std::uint64_t expected_magic =
         0x4b4e5548435353ab;  // no ASCII text, no small number, no usual double
     std::uint64_t magic = expected_magic;
@@ -30,7 +30,7 @@ struct RecordHeader {
     std::uint32_t payload_bytes = 0;  ///< with padding
     std::uint64_t checksum = 0;       ///< XXH3-64 of the payload, seeded with that of the fields above
 };
-static_assert(sizeof(JournalHeader) == 40 && sizeof(RecordHeader) == 48);
+static_assert(sizeof(JournalHeader) == 40 && sizeof(ChunkHeader) == 48);
 
 JournalHeader journal_header(const Plan& plan);
 
@@ -47,9 +47,9 @@ void encode_record(const Plan& plan, const RowFormat& format, std::uint64_t chun
                    std::vector<std::byte>& buffer);
 
 /// Could this be the header of a record of that plan? Its checksum is not looked at.
-bool plausible(const RecordHeader& header, const Plan& plan, const RowFormat& format);
+bool plausible(const ChunkHeader& header, const Plan& plan, const RowFormat& format);
 
 /// Does the payload belong to the header, bit for bit?
-bool verifies(const RecordHeader& header, std::span<const std::byte> payload);
+bool verifies(const ChunkHeader& header, std::span<const std::byte> payload);
 
 }  // namespace stickslip

@@ -15,7 +15,7 @@ struct AskedDisturbance {
     std::string kind;  ///< "impulse", "step", "sine", "noise", or the file of the record
     double size = 1, omega = missing, duration = missing;
     std::uint64_t seed = 1;
-    std::optional<Series> record;  ///< in the unit of the joint's efforts
+    std::optional<TimeSeries> record;  ///< in the unit of the joint's efforts
 };
 
 /// The answer of the linear joint, link in excess of steady sliding.

@@ -10,7 +10,7 @@ namespace stickslip {
 namespace {
 
 /// What the theory says over the given record of the normal load.
-std::optional<LoadStudy> loaded(const Joint& joint, const std::optional<Series>& record)
+std::optional<LoadStudy> loaded(const Joint& joint, const std::optional<TimeSeries>& record)
 {
     if (!record) return std::nullopt;
     return load_study(joint, record->sampled(record->duration() / sampled_disturbance, sampled_disturbance));

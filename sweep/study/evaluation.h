@@ -25,9 +25,9 @@ struct EvaluationQuestion {
     Joint joint;              ///< as its file describes it
     bool ideal_loop = false;  ///< with the paper's loop in place of its own
     NonlinearOptions nonlinear;
-    AskedDisturbance force;             ///< of no kind: none
-    std::optional<Series> normal_load;  ///< per the one at which the numbers of the law hold
-    bool study = true;                  ///< for JSON and pages
+    AskedDisturbance force;                 ///< of no kind: none
+    std::optional<TimeSeries> normal_load;  ///< per the one at which the numbers of the law hold
+    bool study = true;                      ///< for JSON and pages
 };
 
 /// In their order.

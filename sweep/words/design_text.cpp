@@ -125,7 +125,7 @@ std::string stage_text(DesignStage stage)
     return "unknown";
 }
 
-std::string design_verdict(const DesignAnswer& a)
+std::string design_verdict_text(const DesignAnswer& a)
 {
     const DesignUnits u{units_of(a.joint)};
     const auto& d = a.design;
@@ -141,7 +141,7 @@ std::string design_verdict(const DesignAnswer& a)
 
 std::string design_text(const DesignAnswer& a)
 {
-    std::string text = design_verdict(a);
+    std::string text = design_verdict_text(a);
     if (a.design.decided && a.design.feasible)
         for (const auto& end : ends_of_range(a, DesignUnits{units_of(a.joint)})) text += " On the search limit: " + end;
     return text;

@@ -41,7 +41,7 @@ std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits&
 std::vector<double> scales_of(const DesignAnswer& a);
 
 /// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.
-std::string design_verdict(const DesignAnswer& answer);
+std::string design_verdict_text(const DesignAnswer& answer);
 
 /// The same, followed by the ends of the searched range on which the optimum lies: the page has alerts for those.
 std::string design_text(const DesignAnswer& answer);

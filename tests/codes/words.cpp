@@ -185,7 +185,7 @@ std::string lost_text(const ExportAnswer&, const NotExpressible& lost)
     return "#" + std::string(name_of(lost.why));
 }
 
-std::string design_verdict(const DesignAnswer&)
+std::string design_verdict_text(const DesignAnswer&)
 {
     return "#design-of-gains";
 }

@@ -65,7 +65,7 @@ struct Sweep {
         for (std::uint64_t chunk = 0; chunk < plan_.chunks(); ++chunk) {
             if (!index.has(chunk)) continue;
             const auto found = reader.read(chunk);
-            fuzz::promise(std::memcmp(found.data(), records[chunk].data() + sizeof(RecordHeader), found.size()) == 0,
+            fuzz::promise(std::memcmp(found.data(), records[chunk].data() + sizeof(ChunkHeader), found.size()) == 0,
                           "a chunk that was never computed");
         }
     }

@@ -1,4 +1,4 @@
-#include "render/page/pack.h"
+#include "render/page/pack_arrays.h"
 
 #include <zlib.h>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // Where folds of limit cycles are begun. Internal to analysis/boundary.
 #pragma once
 #include "analysis/boundary/kinds/boundary.h"
-#include "analysis/boundary/kinds/orbit.h"
+#include "analysis/boundary/kinds/orbit_system.h"
 
 #include <optional>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "analysis/diagnosis/audit/audit_readings.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
 #include "analysis/diagnosis/audit/audit_terms.h"
-#include "analysis/diagnosis/audit/gains.h"
+#include "analysis/diagnosis/audit/gain_regression.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/policy.h"
 

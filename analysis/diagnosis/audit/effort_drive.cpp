@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 
-#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/ticks.h"

@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/audit/noisy_rows.h"
 
-#include "analysis/diagnosis/audit/noise.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
 

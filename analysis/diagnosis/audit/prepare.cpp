@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/effort_drive.h"
-#include "analysis/diagnosis/audit/noise.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/audit/start.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/even_clock.h"

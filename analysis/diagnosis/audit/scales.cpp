@@ -1,6 +1,6 @@
 // What one of everything means for these cases.
-#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/numerics/statistics.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Scales scales_of(const std::vector<Case>& cases)
         const Friction& main = main_friction(copy);
         s.load = {plant.ratio, plant.link_per_seen()};
         s.friction = &main == &copy.frictions.link ? s.load : Reflected{1, plant.motor_per_seen()};
-        s.coulomb = coulomb_level(main) / s.friction.effort;
+        s.coulomb = coulomb_force(main) / s.friction.effort;
         if (is_set(c.joint.actuator.supply_voltage)) s.supply = c.joint.actuator.supply_voltage;
     }
     constexpr double least = 1e-12;

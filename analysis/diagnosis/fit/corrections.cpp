@@ -15,8 +15,8 @@ void for_all_frictions(Joint& j, const double part, void (*change)(Friction&, do
 {
     if (is_single_mass(j)) return change(j.friction, part);
     // what is shared out between two bodies changes in proportion
-    const double all = coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
-    const double motor = all > 0 ? coulomb_level(j.frictions.motor) / all : 0.5;
+    const double all = coulomb_force(j.frictions.motor) + coulomb_force(j.frictions.link);
+    const double motor = all > 0 ? coulomb_force(j.frictions.motor) / all : 0.5;
     change(j.frictions.motor, motor * part);
     change(j.frictions.link, (1 - motor) * part);
 }
@@ -45,7 +45,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     const Joint& j = cases[0].joint;
     const bool single = is_single_mass(j);
     const double coulomb =
-        single ? coulomb_level(j.friction) : coulomb_level(j.frictions.motor) + coulomb_level(j.frictions.link);
+        single ? coulomb_force(j.friction) : coulomb_force(j.frictions.motor) + coulomb_force(j.frictions.link);
     const double viscous =
         single ? viscous_slope(j.friction) : viscous_slope(j.frictions.motor) + viscous_slope(j.frictions.link);
     const double level = std::max(coulomb / scales.effort, prior.least);

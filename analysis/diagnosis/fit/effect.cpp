@@ -87,7 +87,7 @@ const Effect* effect_named(std::string_view name)
     return nullptr;
 }
 
-double coulomb_level(const Friction& friction)
+double coulomb_force(const Friction& friction)
 {
     return std::visit(
         [](const auto& law) -> double {
@@ -164,7 +164,7 @@ Friction& main_friction(Joint& joint)
     auto& f = joint.frictions;
     // at the joint's side the motor's friction counts N times
     const double reduction = joint.mechanism.transmission.ratio;
-    return coulomb_level(f.link) > reduction * coulomb_level(f.motor) ? f.link : f.motor;
+    return coulomb_force(f.link) > reduction * coulomb_force(f.motor) ? f.link : f.motor;
 }
 
 namespace {
@@ -185,7 +185,7 @@ void scale_forces(Friction& friction, double part)
             }
         },
         friction.law);
-    shift_coulomb(friction, (part - 1) * coulomb_level(friction));
+    shift_coulomb(friction, (part - 1) * coulomb_force(friction));
     friction.asymmetry.coulomb *= part;
     friction.asymmetry.viscous *= part;
     friction.ripple.amplitude *= part, friction.ripple.second_amplitude *= part;

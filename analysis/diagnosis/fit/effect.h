@@ -129,7 +129,7 @@ double unit_of(Scale scale, const Scales& scales);
 Friction& main_friction(Joint& joint);
 /// Changes the Coulomb level of any law that has one; never below zero.
 void shift_coulomb(Friction& friction, double change);
-double coulomb_level(const Friction& friction);
+double coulomb_force(const Friction& friction);
 double viscous_slope(const Friction& friction);
 /// Changes the viscous slope of any law that has one; never below zero.
 void shift_viscous(Friction& friction, double change);

@@ -1,7 +1,7 @@
 // In one file: noisy runs of one joint, and what a record differs from them by: floor and gap are counted alike.
 #include "analysis/diagnosis/heldout/ensemble.h"
 
-#include "analysis/diagnosis/audit/noise.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -48,7 +48,7 @@ using Misfits = std::array<Misfit, levels.size()>;
 Misfits misfits_of_run(Case c, std::uint64_t seed)
 {
     const bool without_reference = c.ticks.reference_rebuilt;
-    c.ticks = logged_again(closed_loop(flatten(c.joint), c.ticks, seed), c.ticks, c.joint);
+    c.ticks = logged_again(simulate_closed_loop(flatten(c.joint), c.ticks, seed), c.ticks, c.joint);
     if (without_reference) rebuild_reference(c, c.joint.control.effort_limit);
     std::vector<Case> one{std::move(c)};
     settle_jumps(one, {}, {});
@@ -193,7 +193,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     if (!t.has_reference) return predicted_squares(c, joint, inside, first);
     const Plant plant = flatten(joint);
     std::vector<Trace> traces;
-    for (int r = 0; r < runs; ++r) traces.push_back(closed_loop(plant, t, 1 + static_cast<std::uint64_t>(r)));
+    for (int r = 0; r < runs; ++r) traces.push_back(simulate_closed_loop(plant, t, 1 + static_cast<std::uint64_t>(r)));
     std::vector<SignalSquares> squares;
     const auto add = [&](const char* name, std::string unit, const std::vector<double>& measured,
                          std::vector<double> Trace::*column, double factor = 1) {

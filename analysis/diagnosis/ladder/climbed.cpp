@@ -1,5 +1,5 @@
 // The ladder of the set that a climb has ended at, and what is asked of it.
-#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/ladder.h"
 
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/fit_set.h"

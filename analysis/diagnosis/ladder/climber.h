@@ -1,8 +1,8 @@
 // The search for the next rung of a ladder: which causes go on top of a set, and whether they earn their place.
 // Internal to analysis/diagnosis/ladder.
 #pragma once
-#include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/fit_set.h"
+#include "analysis/diagnosis/ladder/ladder.h"
 #include "analysis/diagnosis/ladder/windows.h"
 #include "analysis/diagnosis/policy/rules.h"
 #include "analysis/diagnosis/search/attribute.h"

@@ -1,6 +1,6 @@
 // Fits one set of causes beside the corrections: a first look on excerpts, then all rows and every fold.
 #pragma once
-#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/ladder.h"
 
 namespace stickslip::gap {
 

@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/ladder/flexible.h"
 
-#include "analysis/diagnosis/ladder/functions.h"
+#include "analysis/diagnosis/ladder/signal_functions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -41,7 +41,7 @@ double in_units_of(const PhysicalRange& range, double scaled, double si, const S
             return per(si, joint.actuator.resistance);
         case Per::coulomb: {
             Joint copy = joint;
-            return per(si, coulomb_level(main_friction(copy)));
+            return per(si, coulomb_force(main_friction(copy)));
         }
         case Per::reading:
             return per(scaled * scales.position, std::max(joint.sensor.encoder_quantum, joint.sensor.position_noise));

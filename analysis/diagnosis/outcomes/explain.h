@@ -1,6 +1,6 @@
 // Which friction law explains a table of measured outcomes.
 #pragma once
-#include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/diagnosis/outcomes/law_fit.h"
 #include "analysis/diagnosis/search/attribute.h"
 #include "analysis/results/diagnosis.h"
 #include "analysis/results/diagnosis_stage.h"

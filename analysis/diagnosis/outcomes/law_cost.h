@@ -1,7 +1,7 @@
 // What a law's numbers cost against the rows of a table of outcomes, and what that tells of their errors. Internal to
 // analysis/diagnosis/outcomes.
 #pragma once
-#include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/diagnosis/outcomes/law_fit.h"
 #include "analysis/diagnosis/outcomes/rivals.h"
 
 namespace stickslip::gap {

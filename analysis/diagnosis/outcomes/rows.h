@@ -1,7 +1,7 @@
 // The rows of a table of outcomes as joints, and what the rows say about one another. Internal to
 // analysis/diagnosis/outcomes.
 #pragma once
-#include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/diagnosis/outcomes/law_fit.h"
 #include "analysis/results/note.h"
 
 namespace stickslip::gap {

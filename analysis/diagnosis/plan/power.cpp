@@ -30,7 +30,7 @@ Record simulated(const Joint& joint, const PlannedMotion& motion)
     r.time = motion.time;
     r.reference_position = motion.position;
     r.position.assign(motion.time.size(), motion.position.front());
-    const Trace run = closed_loop(flatten(joint), on_clock(r, joint), 1);
+    const Trace run = simulate_closed_loop(flatten(joint), on_clock(r, joint), 1);
     r.position = run.position;
     r.velocity = run.velocity;
     (joint.actuator.kind == ActuatorKind::dc_motor ? r.drive : r.effort_command) = run.command;

@@ -21,10 +21,10 @@ Ticks with_load_error(Ticks ticks, std::uint64_t seed)
 
 }  // namespace
 
-Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
+Trace simulate_closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed)
 {
     if (seed != 0 && !ticks.load_error.empty() && !ticks.load.empty())
-        return closed_loop(plant, with_load_error(ticks, seed), seed);
+        return simulate_closed_loop(plant, with_load_error(ticks, seed), seed);
     const std::size_t n = ticks.size();
     Trace out;
     for (auto* column :

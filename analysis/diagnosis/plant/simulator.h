@@ -19,7 +19,7 @@ struct Trace {
 /// The whole loop (docs/theory.md, real loops): encoder (noise, then quantum; the start is anywhere within a quantum),
 /// velocity recursion, command and hold, dead time → lag → gain → saturation, mechanism. `seed` 0 gives a run without
 /// noise; equal seeds give equal noise.
-Trace closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed);
+Trace simulate_closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t seed);
 
 /// The controller's command from the measured motion: what it would have commanded at each tick.
 std::vector<double> command_of(const Plant& plant, const Ticks& ticks);

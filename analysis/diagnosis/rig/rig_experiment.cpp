@@ -26,7 +26,7 @@ Rig along(const Rig& rig, const Motion& motion)
 {
     Rig made;
     made.speed = rig.speed, made.levels = 1;
-    Run& run = made.runs.emplace_back();
+    RigRun& run = made.runs.emplace_back();
     run.start_speed = rig.speed;
     double t = 0, x = 0;
     for (double multiple : motion.speeds) {

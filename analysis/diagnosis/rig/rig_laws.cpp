@@ -57,7 +57,7 @@ const std::vector<RigRival>& rig_rivals()
 namespace {
 
 /// Without a direct effect the slider follows the load point: force = law at the load point's speed.
-std::vector<double> following_force(const Rig& rig, const Run& run, RigLaw law, const RigNumbers& p)
+std::vector<double> following_force(const Rig& rig, const RigRun& run, RigLaw law, const RigNumbers& p)
 {
     constexpr double least = 1e-6;  // of V*
     std::vector<double> force(run.time.size(), 0);
@@ -75,7 +75,7 @@ std::vector<double> following_force(const Rig& rig, const Run& run, RigLaw law, 
 }
 
 /// A state that remembers, by the midpoint rule. It begins in steady sliding at the run's first speed.
-std::vector<double> remembering_force(const Rig& rig, const Run& run, RigLaw law, const RigNumbers& p)
+std::vector<double> remembering_force(const Rig& rig, const RigRun& run, RigLaw law, const RigNumbers& p)
 {
     std::vector<double> force(run.time.size(), 0);
     const double stiffness = p[0], A = p[1], B = p[2], length = p[3];

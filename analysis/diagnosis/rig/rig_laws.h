@@ -21,7 +21,7 @@ const std::vector<RigRival>& rig_rivals();
 
 /// A stretch of a record in which the load point goes one way: displacement and time from zero, friction counted
 /// against the motion.
-struct Run {
+struct RigRun {
     std::vector<double> time, displacement, friction;
     std::vector<double> normal;    ///< load on the contact, empty where it was not logged
     double start_speed = 0;        ///< of the load point, at which the slider already slides steadily
@@ -32,7 +32,7 @@ struct Run {
 
 /// All runs of a rig's records, at most 6000 rows together; one law answers them all.
 struct Rig {
-    std::vector<Run> runs;
+    std::vector<RigRun> runs;
     std::size_t levels = 0;
     double speed = 0;     ///< of the load point at first: V*
     double travel = 0;    ///< of the load point, the longest

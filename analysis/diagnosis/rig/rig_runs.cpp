@@ -47,9 +47,9 @@ std::size_t sliding_from(const std::vector<double>& friction, Stretch s)
     return k;
 }
 
-Run run_of(const Record& r, const std::vector<double>& x, Stretch s, std::size_t stride)
+RigRun run_of(const Record& r, const std::vector<double>& x, Stretch s, std::size_t stride)
 {
-    Run run;
+    RigRun run;
     run.from = s.first, run.to = s.second;
     for (std::size_t k = s.first; k < s.second; k += stride) {
         run.time.push_back(r.time[k] - r.time[s.first]);
@@ -78,7 +78,7 @@ std::vector<Stretch> worth_judging(const Record& r, const std::vector<double>& x
 }
 
 /// Whether the normal load tells two runs from each other.
-bool loads_differ(const std::vector<Run>& runs)
+bool loads_differ(const std::vector<RigRun>& runs)
 {
     constexpr double differs = 0.01;
     double low = std::abs(runs.front().normal.empty() ? 0 : median(runs.front().normal)), high = low;

@@ -40,7 +40,7 @@ std::vector<DiagnosedTrace> traces_of(const Rig& rig, const std::vector<Record>&
     rig_square(rig, rig_force(rig, RigLaw::level, p), -1, false, &means);
     std::vector<DiagnosedTrace> traces;
     for (std::size_t r = 0; r < rig.runs.size(); ++r) {
-        const Run& run = rig.runs[r];
+        const RigRun& run = rig.runs[r];
         DiagnosedTrace trace;
         trace.file = records[run.record].name;
         trace.effort = DiagnosedTrace::Effort::friction_of_rig;

@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/verdict/chances.h"
 
-#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/ladder.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/results/diagnosis.h"
 

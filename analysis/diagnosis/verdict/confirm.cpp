@@ -1,5 +1,5 @@
 // What fits leave, against the noise that a joint of the kind would leave itself.
-#include "analysis/diagnosis/verdict/verdict.h"
+#include "analysis/diagnosis/verdict/decide.h"
 
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"

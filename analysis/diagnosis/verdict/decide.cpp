@@ -1,5 +1,5 @@
 // Which of the causes that were fitted is named, what cannot be told from it, and how likely each is.
-#include "analysis/diagnosis/verdict/verdict.h"
+#include "analysis/diagnosis/verdict/decide.h"
 
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/policy/policy.h"

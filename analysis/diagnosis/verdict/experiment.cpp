@@ -64,7 +64,7 @@ NextExperiment design_experiment(const Case& like, const Scales& scales, const A
         Case c = like;
         c.ticks = on_clock(r, like.joint);
         const auto run = [&](const Attribution& a) {
-            return closed_loop(
+            return simulate_closed_loop(
                 flatten(edited(like.joint, a.candidate, in_si(a.candidate, a.x[1], scales), like.number)), c.ticks, 0);
         };
         const Trace one = run(winner), two = run(rival);

@@ -2,8 +2,8 @@
 #pragma once
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/search/free_force.h"
+#include "analysis/diagnosis/verdict/decide.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"
-#include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>
 #include <optional>

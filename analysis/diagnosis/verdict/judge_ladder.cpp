@@ -5,8 +5,8 @@
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/decide.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/verdict.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // From a ladder to a name: against what is explainable at all, not against the encoder's noise.
 #pragma once
-#include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/flexible.h"
+#include "analysis/diagnosis/ladder/ladder.h"
 #include "analysis/diagnosis/search/free_force.h"
 #include "analysis/results/diagnosis.h"
 

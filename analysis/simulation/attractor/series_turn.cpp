@@ -199,10 +199,10 @@ class SeriesTurn {
     const SlipSeries<states> motion_;
     const CycleOptions& options_;
     const FlowVector scale_;
-    std::array<Term<width>, size> y_;
-    std::array<Series<width>, size> u_;
-    Series<width> v_{}, g_{}, balance_{};
-    std::array<Series<width>, states> pull_{};
+    std::array<TaylorTerm<width>, size> y_;
+    std::array<TaylorSeries<width>, size> u_;
+    TaylorSeries<width> v_{}, g_{}, balance_{};
+    std::array<TaylorSeries<width>, states> pull_{};
     Revolution turn_;
     bool below_ = false;  ///< has left the section downwards
     int returns_ = 0;

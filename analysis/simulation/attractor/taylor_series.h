@@ -9,16 +9,16 @@ constexpr int order = 20;
 
 /// A coefficient of a series: of the motion first, then of its displacements by each component of the start.
 template <std::size_t width>
-using Term = std::array<double, width>;
+using TaylorTerm = std::array<double, width>;
 
 template <std::size_t width>
-using Series = std::array<Term<width>, order + 1>;
+using TaylorSeries = std::array<TaylorTerm<width>, order + 1>;
 
 /// The k-th coefficient of u w, displacements by the product rule.
 template <std::size_t width>
-Term<width> product(const Series<width>& u, const Series<width>& w, int k)
+TaylorTerm<width> product(const TaylorSeries<width>& u, const TaylorSeries<width>& w, int k)
 {
-    Term<width> sum{}, other{};
+    TaylorTerm<width> sum{}, other{};
     for (int j = 0; j <= k; ++j) {
         const double at = u[j][0], beside = w[k - j][0];
         for (std::size_t m = 0; m < width; ++m) sum[m] += at * w[k - j][m], other[m] += beside * u[j][m];
@@ -29,9 +29,9 @@ Term<width> product(const Series<width>& u, const Series<width>& w, int k)
 
 /// The k-th coefficient of e^w and e^−w from those before: u̇ = ±ẇ u, so k u_k = ± Σ j w_j u_{k−j}.
 template <std::size_t width>
-void exponential(const Series<width>& w, int k, Series<width>& v, Series<width>& g)
+void exponential(const TaylorSeries<width>& w, int k, TaylorSeries<width>& v, TaylorSeries<width>& g)
 {
-    Term<width> up{}, down{}, up_beside{}, down_beside{};
+    TaylorTerm<width> up{}, down{}, up_beside{}, down_beside{};
     for (int j = 1; j <= k; ++j) {
         const double at_v = v[k - j][0], at_g = g[k - j][0], slope = j * w[j][0];
         for (std::size_t m = 0; m < width; ++m) {
@@ -46,16 +46,16 @@ void exponential(const Series<width>& w, int k, Series<width>& v, Series<width>&
 }
 
 template <std::size_t width>
-Term<width> value(const Series<width>& u, double t)
+TaylorTerm<width> value(const TaylorSeries<width>& u, double t)
 {
-    Term<width> sum = u[order];
+    TaylorTerm<width> sum = u[order];
     for (int k = order; k-- > 0;)
         for (std::size_t m = 0; m < width; ++m) sum[m] = sum[m] * t + u[k][m];
     return sum;
 }
 
 template <std::size_t width>
-double at(const Series<width>& u, double t)
+double at(const TaylorSeries<width>& u, double t)
 {
     double sum = u[order][0];
     for (int k = order; k-- > 0;) sum = sum * t + u[k][0];
@@ -63,7 +63,7 @@ double at(const Series<width>& u, double t)
 }
 
 template <std::size_t width>
-double slope(const Series<width>& u, double t)
+double slope(const TaylorSeries<width>& u, double t)
 {
     double sum = order * u[order][0];
     for (int k = order; k-- > 1;) sum = sum * t + k * u[k][0];

@@ -1,6 +1,6 @@
 // With how much care a lane searches its cycle: roughly first, then finer, turn by turn or more exactly, where the
 // answer asks for it.
-#include "analysis/simulation/lanes/program.h"
+#include "analysis/simulation/lanes/lane_program.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Each kernel that a law asks for, at the width that a source file is compiled for.
 #pragma once
-#include "analysis/simulation/lanes/kernel.h"
 #include "analysis/simulation/lanes/kernels.h"
+#include "analysis/simulation/lanes/lane_kernel.h"
 #include "analysis/simulation/lanes/one_state_model.h"
 #include "analysis/simulation/lanes/stribeck_model.h"
 #include "analysis/simulation/lanes/ticked_kernel.h"

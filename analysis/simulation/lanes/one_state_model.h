@@ -1,6 +1,6 @@
 // A rate-and-state law with one state as the kernel steps it: Rodas5P, events from ln V.
 #pragma once
-#include "analysis/simulation/lanes/program.h"
+#include "analysis/simulation/lanes/lane_program.h"
 #include "analysis/simulation/lanes/rosenbrock.h"
 
 namespace stickslip::lanes {

@@ -1,7 +1,7 @@
 // What one lane of a Stribeck joint is doing: measure the growth of a small disturbance, then search a cycle turn by
 // turn, through phases of sticking that have a closed form. Plain scalar code, called at events only.
 #pragma once
-#include "analysis/simulation/lanes/program.h"
+#include "analysis/simulation/lanes/lane_program.h"
 #include "analysis/simulation/lanes/stribeck_job.h"
 #include "analysis/simulation/solvers/dormand_prince.h"
 

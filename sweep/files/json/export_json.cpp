@@ -12,7 +12,7 @@ nlohmann::ordered_json number(double value)
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json friction_json(const DryFriction& f)
+nlohmann::ordered_json friction_json(const SimulatorFriction& f)
 {
     return {{"coulomb", f.coulomb}, {"viscous", f.viscous}, {"static", f.breakaway}};
 }

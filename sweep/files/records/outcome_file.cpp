@@ -2,7 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
 #include "sweep/files/text/units.h"

@@ -5,7 +5,7 @@
 #include "sweep/files/records/record_checks.h"
 #include "sweep/files/records/record_header.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
 

@@ -1,7 +1,7 @@
 #include "sweep/files/records/reference_file.h"
 
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/line_stream.h"
 #include "sweep/files/text/series_file.h"
 #include "sweep/files/text/whole_file.h"

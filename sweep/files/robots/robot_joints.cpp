@@ -31,10 +31,10 @@ void complain_shared_names(const RobotJoints& robot, files::Complaints& complain
                                    " is; expected a name of its own for each joint");
 }
 
-RobotJoint read_entry(const std::string& name, const toml::node& node, const std::filesystem::path& folder,
-                      files::Complaints& complaints)
+RobotJointFile read_entry(const std::string& name, const toml::node& node, const std::filesystem::path& folder,
+                          files::Complaints& complaints)
 {
-    RobotJoint joint{name, name, {}};
+    RobotJointFile joint{name, name, {}};
     const std::string path = "joints." + name;
     const files::Place place(node.source());
     std::string file;
@@ -91,7 +91,7 @@ RobotJoints read_folder(const std::filesystem::path& folder)
     if (robot.joints.empty())
         throw BadInput(folder.string() + ": has no joint files, expected one NAME.toml for each joint");
     std::sort(robot.joints.begin(), robot.joints.end(),
-              [](const RobotJoint& a, const RobotJoint& b) { return a.name < b.name; });
+              [](const RobotJointFile& a, const RobotJointFile& b) { return a.name < b.name; });
     return robot;
 }
 

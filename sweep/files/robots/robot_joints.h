@@ -6,17 +6,17 @@
 
 namespace stickslip {
 
-struct RobotJoint {
+struct RobotJointFile {
     std::string name;            ///< also the folder of its answer
     std::string in_log;          ///< what logs call it
     std::filesystem::path file;  ///< its joint file
 };
 
 struct RobotJoints {
-    std::string title;               ///< may be empty
-    std::filesystem::path source;    ///< the file, or the folder
-    bool has_record = false;         ///< the file has a [record] table, which holds for every joint
-    std::vector<RobotJoint> joints;  ///< in the order of the file; of a folder by name
+    std::string title;                   ///< may be empty
+    std::filesystem::path source;        ///< the file, or the folder
+    bool has_record = false;             ///< the file has a [record] table, which holds for every joint
+    std::vector<RobotJointFile> joints;  ///< in the order of the file; of a folder by name
 };
 
 /// Reads

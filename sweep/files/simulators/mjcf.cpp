@@ -10,7 +10,7 @@ namespace {
 
 /// Impedance close to 1 and a reference damping of 1/step: MuJoCo's regularised dry friction then creeps by 1e-7 of the
 /// speed that its force would give the body in a second.
-std::string friction(const DryFriction& f, double step)
+std::string friction(const SimulatorFriction& f, double step)
 {
     std::string text;
     if (f.coulomb > 0)
@@ -20,8 +20,8 @@ std::string friction(const DryFriction& f, double step)
     return text;
 }
 
-std::string body(const ExportAnswer& a, const std::string& name, double inertia, double armature, const DryFriction& f,
-                 bool link)
+std::string body(const ExportAnswer& a, const std::string& name, double inertia, double armature,
+                 const SimulatorFriction& f, bool link)
 {
     const auto& j = a.joint;
     Pendulum p = link ? pendulum(j, inertia) : Pendulum{1e-6, 0, 0, 1e-12};
@@ -86,7 +86,7 @@ std::string mjcf_text(const ExportAnswer& a, const std::string& name)
 {
     const auto& j = a.joint;
     const bool elastic = j.two_bodies() && std::isfinite(j.stiffness);
-    const DryFriction motor = motor_friction(j);
+    const SimulatorFriction motor = motor_friction(j);
     std::string text = fmt::format(
         "<!-- Paste body or joint attributes, tendon and actuators into your robot; the file also loads as it stands. "
         "-->\n"

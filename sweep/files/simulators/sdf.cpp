@@ -22,7 +22,7 @@ std::string link(const std::string& name, const Pendulum& p)
 }
 
 std::string joint(const SimulatorJoint& j, const std::string& name, const std::string& parent, const std::string& child,
-                  const std::string& limits, const DryFriction& f)
+                  const std::string& limits, const SimulatorFriction& f)
 {
     const bool turns = j.motion == Motion::revolute;
     return fmt::format(

@@ -53,9 +53,9 @@ files::Pendulum files::rotor_of(const SimulatorJoint& joint)
     return rotor;
 }
 
-DryFriction files::motor_friction(const SimulatorJoint& joint)
+SimulatorFriction files::motor_friction(const SimulatorJoint& joint)
 {
-    DryFriction friction = joint.motor;
+    SimulatorFriction friction = joint.motor;
     friction.viscous += joint.back_emf;
     return friction;
 }

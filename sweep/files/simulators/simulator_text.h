@@ -28,7 +28,7 @@ Pendulum pendulum(const SimulatorJoint& joint, double inertia);
 
 /// The motor as a body of its own, where backlash parts it from the link, and its friction with the back-EMF.
 Pendulum rotor_of(const SimulatorJoint& joint);
-DryFriction motor_friction(const SimulatorJoint& joint);
+SimulatorFriction motor_friction(const SimulatorJoint& joint);
 
 }  // namespace files
 }  // namespace stickslip

@@ -23,7 +23,7 @@ std::string link(const std::string& name, const Pendulum& p)
 }
 
 std::string hinge(const SimulatorJoint& j, const std::string& name, const std::string& parent, const std::string& child,
-                  const std::string& limits, const DryFriction& f, bool limited)
+                  const std::string& limits, const SimulatorFriction& f, bool limited)
 {
     const bool turns = j.motion == Motion::revolute;
     return fmt::format(

@@ -1,6 +1,6 @@
 #include "sweep/files/text/header_row.h"
 
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "sweep/files/text/series_file.h"
 
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/line_stream.h"
 #include "sweep/files/text/toml_input.h"
 #include "sweep/files/text/units.h"
@@ -94,10 +94,10 @@ Columns named(const std::vector<std::string_view>& header, std::string_view colu
     return columns;
 }
 
-Series series_from(files::LineStream& lines, const std::filesystem::path& file, std::string_view column,
-                   std::optional<SeriesQuantity> quantity)
+TimeSeries series_from(files::LineStream& lines, const std::filesystem::path& file, std::string_view column,
+                       std::optional<SeriesQuantity> quantity)
 {
-    Series series;
+    TimeSeries series;
     Columns columns;
     std::string_view line;
     bool first = true;
@@ -138,7 +138,8 @@ Series series_from(files::LineStream& lines, const std::filesystem::path& file, 
 
 }  // namespace
 
-Series read_series(const std::filesystem::path& file, std::string_view column, std::optional<SeriesQuantity> quantity)
+TimeSeries read_series(const std::filesystem::path& file, std::string_view column,
+                       std::optional<SeriesQuantity> quantity)
 {
     files::LineStream lines(file);
     try {
@@ -149,7 +150,7 @@ Series read_series(const std::filesystem::path& file, std::string_view column, s
     }
 }
 
-std::vector<double> Series::sampled(double step, int count) const
+std::vector<double> TimeSeries::sampled(double step, int count) const
 {
     // the integral of the straight lines up to a time behind the first row
     std::size_t i = 0;

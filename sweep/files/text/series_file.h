@@ -9,7 +9,7 @@
 
 namespace stickslip {
 
-struct Series {
+struct TimeSeries {
     std::vector<double> time, value;  ///< s, ascending; at least two rows
 
     double duration() const { return time.back() - time.front(); }
@@ -27,7 +27,7 @@ struct SeriesQuantity {
 /// CSV or .csv.gz; `#` comments may stand above. Two columns, time [s] and the value, with or without a header; of more
 /// columns the header names `time` and `column`. A unit in brackets behind a name is converted ("time [ms]"); without
 /// a `quantity` that of the value is left as it is. Throws BadInput with the place of the first row that does not fit.
-Series read_series(const std::filesystem::path& file, std::string_view column,
-                   std::optional<SeriesQuantity> quantity = std::nullopt);
+TimeSeries read_series(const std::filesystem::path& file, std::string_view column,
+                       std::optional<SeriesQuantity> quantity = std::nullopt);
 
 }  // namespace stickslip

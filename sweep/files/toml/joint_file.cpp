@@ -2,7 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 #include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/joint_table.h"

@@ -1,6 +1,6 @@
 #include "sweep/files/toml/stated_place.h"
 
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/toml_input.h"
 
 #include <fmt/format.h>

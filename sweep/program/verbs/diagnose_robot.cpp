@@ -26,7 +26,7 @@ namespace {
 using Status = JointOutcome::Status;
 
 /// The requested ones, in the order of the file.
-std::vector<RobotJoint> chosen(const RobotJoints& robot, const std::vector<std::string>& only)
+std::vector<RobotJointFile> chosen(const RobotJoints& robot, const std::vector<std::string>& only)
 {
     std::vector<std::string> names;
     for (const auto& joint : robot.joints) names.push_back(joint.name);
@@ -34,7 +34,7 @@ std::vector<RobotJoint> chosen(const RobotJoints& robot, const std::vector<std::
         if (std::find(names.begin(), names.end(), name) == names.end())
             throw BadInput(robot.source.string() + ": has no joint " + name + ", it has " + files::listed(names) +
                            files::did_you_mean(name, names));
-    std::vector<RobotJoint> joints;
+    std::vector<RobotJointFile> joints;
     for (const auto& joint : robot.joints)
         if (only.empty() || std::find(only.begin(), only.end(), joint.name) != only.end()) joints.push_back(joint);
     return joints;
@@ -60,7 +60,7 @@ GatheredRecords gathered(const RobotQuestion& question, const LoggedJoint& wante
 }
 
 /// Reads, diagnoses and writes one joint; what is wrong with its input stands in the outcome.
-JointOutcome outcome_of(const RobotQuestion& question, const RobotJoints& robot, const RobotJoint& asked,
+JointOutcome outcome_of(const RobotQuestion& question, const RobotJoints& robot, const RobotJointFile& asked,
                         const std::string& about, const Invocation& invocation)
 {
     JointOutcome outcome;

@@ -61,7 +61,7 @@ void print(const gap::Power& power)
 int run(const Options& options)
 {
     const Joint joint = read_joint(options.joint);
-    const Series reference =
+    const TimeSeries reference =
         read_series(options.trajectory, "reference_position", SeriesQuantity{Quantity::position, units_of(joint)});
     const ThreadLimit limit(options.threads);
     const PlanAnswer answer = [&] {

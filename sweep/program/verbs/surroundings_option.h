@@ -54,7 +54,7 @@ struct SurroundingsOption {
     bool loaded() const { return !load_file.empty(); }
 
     /// The record of the normal load, per the nominal one. Throws BadInput where it is not positive.
-    Series normal_load() const
+    TimeSeries normal_load() const
     {
         auto series = read_series(load_file, "normal_load");
         for (double& load : series.value) {

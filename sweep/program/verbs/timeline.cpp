@@ -56,7 +56,7 @@ std::vector<fs::path> answers_at(const fs::path& place, const std::string& joint
 }
 
 /// From the innermost part of the path that has one.
-Instant date_of(const fs::path& file)
+Timestamp date_of(const fs::path& file)
 {
     for (auto path = fs::absolute(file); path.has_relative_path(); path = path.parent_path())
         if (const auto date = date_in(path.filename().string())) return *date;

@@ -128,7 +128,7 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     const auto& d = a.design;
     Report report;
     report.title = page_title("Design of gains", a.title);
-    report.verdict = design_verdict(a);
+    report.verdict = design_verdict_text(a);
     if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, units_of(a.joint));
     report.tone = d.feasible ? Tone::good : Tone::bad;
     report.snippets = std::move(snippets);

@@ -56,7 +56,7 @@ bool near_boundary(const std::vector<Margin>& margins)
     return std::any_of(margins.begin(), margins.end(), [](const Margin& m) { return factor(m) < near_factor; });
 }
 
-Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Units units)
+Headline nearest_boundary_headline(const std::vector<Margin>& margins, bool stable, Units units)
 {
     const auto nearest = std::min_element(margins.begin(), margins.end(),
                                           [](const Margin& a, const Margin& b) { return factor(a) < factor(b); });

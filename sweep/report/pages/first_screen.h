@@ -23,7 +23,7 @@ DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Re
 bool near_boundary(const std::vector<Margin>& margins);
 
 /// The nearest boundary of all parameters, by factor.
-Headline nearest_boundary(const std::vector<Margin>& margins, bool stable, Units units);
+Headline nearest_boundary_headline(const std::vector<Margin>& margins, bool stable, Units units);
 
 /// The stable velocities around the design, and the least stable one.
 std::vector<Headline> velocity_headlines(const VelocitySearch& search, bool stable, Units units);

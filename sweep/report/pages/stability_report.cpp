@@ -151,7 +151,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     if (slides) {
         report.headlines.push_back(nearest_headline(*own.nearest, units));
         name_symbols(report, *own.nearest, units);
-        report.headlines.push_back(nearest_boundary(margins, stable, units));
+        report.headlines.push_back(nearest_boundary_headline(margins, stable, units));
         if (own.velocities)
             for (auto& headline : velocity_headlines(*own.velocities, stable, units))
                 report.headlines.push_back(std::move(headline));

@@ -51,7 +51,7 @@ std::chrono::seconds time_of_day(Digits in)
     return hours(hour) + minutes(minute) + seconds(valid ? second : 0);
 }
 
-std::optional<Instant> date_at(std::string_view text)
+std::optional<Timestamp> date_at(std::string_view text)
 {
     using namespace std::chrono;
     Digits in(text);
@@ -99,7 +99,7 @@ Timeline timeline_of(std::string title, std::vector<DatedDiagnosis> runs)
     return t;
 }
 
-std::optional<Instant> date_in(std::string_view name)
+std::optional<Timestamp> date_in(std::string_view name)
 {
     for (std::size_t i = 0; i < name.size(); ++i) {
         if (i > 0 && std::isdigit(static_cast<unsigned char>(name[i - 1]))) continue;  // in the middle of a number
@@ -108,7 +108,7 @@ std::optional<Instant> date_in(std::string_view name)
     return {};
 }
 
-std::string date_text(Instant at)
+std::string date_text(Timestamp at)
 {
     using namespace std::chrono;
     const auto day_start = floor<days>(at);
@@ -124,7 +124,7 @@ std::string date_text(Instant at)
     return all + text;
 }
 
-double days_between(Instant from, Instant to)
+double days_between(Timestamp from, Timestamp to)
 {
     using Days = std::chrono::duration<double, std::ratio<86400>>;
     return std::chrono::duration_cast<Days>(to - from).count();

@@ -10,10 +10,10 @@
 
 namespace stickslip {
 
-using Instant = std::chrono::sys_seconds;
+using Timestamp = std::chrono::sys_seconds;
 
 struct DatedDiagnosis {
-    Instant at;
+    Timestamp at;
     DiagnosisFacts facts;
     std::string page;  ///< its own, from the timeline's folder; empty where it has none
 };
@@ -38,12 +38,12 @@ Timeline timeline_of(std::string title, std::vector<DatedDiagnosis> runs);
 
 /// "2026-03-01", "2026-03-01T14-30", "20260301_143000" anywhere in a name; nothing where there is no date of the
 /// calendar in it.
-std::optional<Instant> date_in(std::string_view name);
+std::optional<Timestamp> date_in(std::string_view name);
 
 /// "2026-03-01", with the time of day where it is not midnight.
-std::string date_text(Instant at);
+std::string date_text(Timestamp at);
 
 /// Days from one instant to another.
-double days_between(Instant from, Instant to);
+double days_between(Timestamp from, Timestamp to);
 
 }  // namespace stickslip

@@ -33,7 +33,7 @@ struct Run {
 
 Run of_joint(const gap::Case& c, const Joint& joint)
 {
-    const auto trace = gap::closed_loop(gap::flatten(joint), c.ticks, 0);
+    const auto trace = gap::simulate_closed_loop(gap::flatten(joint), c.ticks, 0);
     const double unit = gap::command_unit(joint).factor;
     Run run;
     for (std::size_t k = 0; k < c.ticks.size(); ++k) {

@@ -38,9 +38,9 @@ double own_level(const FrictionLaw& law)
 
 /// Level and slope of a law. Laws that fall or rise with the logarithm of speed are read at `speed`, so that the
 /// simulator slides with the same friction there.
-DryFriction dry(const Friction& friction, double speed)
+SimulatorFriction dry(const Friction& friction, double speed)
 {
-    DryFriction d;
+    SimulatorFriction d;
     const double load = friction.normal_load;
     d.viscous = load * own_viscous(friction.law);
     const double level = own_level(friction.law);
@@ -62,7 +62,7 @@ DryFriction dry(const Friction& friction, double speed)
 }
 
 /// Seen from the joint's side of a gear that turns `ratio` times.
-DryFriction reflected(DryFriction d, double ratio)
+SimulatorFriction reflected(SimulatorFriction d, double ratio)
 {
     d.coulomb *= ratio;
     d.breakaway *= ratio;
@@ -71,7 +71,7 @@ DryFriction reflected(DryFriction d, double ratio)
     return d;
 }
 
-void add(DryFriction& to, const DryFriction& d)
+void add(SimulatorFriction& to, const SimulatorFriction& d)
 {
     to.coulomb += d.coulomb;
     to.viscous += d.viscous;

@@ -5,7 +5,7 @@
 namespace stickslip {
 
 /// Friction of one body as simulators know it: coulomb · sgn V + viscous · V.
-struct DryFriction {
+struct SimulatorFriction {
     double coulomb = 0, viscous = 0;
     double breakaway = 0;  ///< largest friction at rest
     double speed = 0;      ///< at which the law was read for `coulomb`; 0: the law states the level itself
@@ -16,7 +16,7 @@ struct SimulatorJoint {
     double link_inertia = 0;
     double armature = 0;                                                ///< N² J of the motor
     double ratio = 1, stiffness = infinity, damping = 0, backlash = 0;  ///< between motor and link
-    DryFriction motor, link;                                            ///< of one mass: all on the link
+    SimulatorFriction motor, link;                                      ///< of one mass: all on the link
     double gravity_amplitude = 0, gravity_phase = 0;
     double k_p = 0, k_v = 0, k_i = 0, integral_limit = infinity;
     double effort_per_command = 1;  ///< at the joint, per unit of the controller's output
@@ -29,7 +29,7 @@ struct SimulatorJoint {
     bool two_bodies() const { return armature > 0; }
     /// Motor and link as one rigid body.
     double inertia() const { return link_inertia + armature; }
-    DryFriction friction() const
+    SimulatorFriction friction() const
     {
         return {motor.coulomb + link.coulomb, motor.viscous + link.viscous + back_emf, motor.breakaway + link.breakaway,
                 std::max(motor.speed, link.speed)};

@@ -36,7 +36,7 @@ std::vector<double> slopes(const std::vector<double>& time, const std::vector<do
 
 struct Body {
     double inertia = 1, position = 0, velocity = 0;
-    DryFriction friction;
+    SimulatorFriction friction;
 
     void step(double force, double h)
     {
@@ -57,7 +57,7 @@ class Bodies {
         // as the engine makes them, count here as stiff as the transmission
         const bool stops = joint_.backlash > 0 && (a.to == Simulator::urdf || a.to == Simulator::sdf);
         apart_ = joint_.two_bodies() && std::isfinite(joint_.stiffness) && (a.to == Simulator::mjcf || stops);
-        DryFriction motor = joint_.motor;
+        SimulatorFriction motor = joint_.motor;
         motor.viscous += joint_.back_emf;
         link_ = {apart_ ? joint_.link_inertia : joint_.inertia(), start, 0, apart_ ? joint_.link : joint_.friction()};
         motor_ = {joint_.armature, start, 0, motor};

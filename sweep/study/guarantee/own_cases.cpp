@@ -1,7 +1,7 @@
 #include "sweep/study/guarantee/own_cases.h"
 
-#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/numerics/seeded_noise.h"
@@ -49,7 +49,7 @@ Joint not_quite(Joint joint, Draw& draw)
     for (double* inertia : {&joint.mechanism.inertia, &joint.mechanism.motor_inertia, &joint.mechanism.link_inertia})
         if (*inertia > 0) *inertia *= 1 + draw.off();
     Friction& friction = gap::main_friction(joint);
-    gap::shift_coulomb(friction, draw.off() * gap::coulomb_level(friction));
+    gap::shift_coulomb(friction, draw.off() * gap::coulomb_force(friction));
     gap::shift_viscous(friction, draw.off() * gap::viscous_slope(friction));
     joint.load.gravity_amplitude *= 1 + draw.off();
     return joint;
@@ -114,9 +114,9 @@ double gap_between(const std::vector<Joint>& without, const std::vector<Joint>& 
     for (std::size_t i = 0; i < records.size(); ++i) {
         const auto ticks = gap::on_clock(records[i], without[i]);
         const auto plant = gap::flatten(without[i]);
-        const auto one = gap::closed_loop(plant, ticks, 1);
-        floor.add(one, gap::closed_loop(plant, ticks, 2));
-        gap.add(one, gap::closed_loop(gap::flatten(with[i]), ticks, 3));
+        const auto one = gap::simulate_closed_loop(plant, ticks, 1);
+        floor.add(one, gap::simulate_closed_loop(plant, ticks, 2));
+        gap.add(one, gap::simulate_closed_loop(gap::flatten(with[i]), ticks, 3));
     }
     const double position = gap.position / std::max(floor.position, 1e-300),
                  command = gap.command / std::max(floor.command, 1e-300);

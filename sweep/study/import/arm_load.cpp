@@ -1,6 +1,6 @@
 #include "sweep/study/import/arm_load.h"
 
-#include "analysis/diagnosis/audit/noise.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/numerics/seeded_noise.h"
 #include "sweep/study/import/placed.h"
 

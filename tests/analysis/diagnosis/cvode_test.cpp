@@ -92,7 +92,7 @@ std::vector<double> simulated(const Joint& joint)
         r.reference_position.push_back(reference(k * period));
         r.reference_velocity.push_back(reference_rate(k * period));
     }
-    return closed_loop(flatten(joint), on_clock(r, joint), 0).position;
+    return simulate_closed_loop(flatten(joint), on_clock(r, joint), 0).position;
 }
 
 double rms(const std::vector<double>& a, const std::vector<double>& b)

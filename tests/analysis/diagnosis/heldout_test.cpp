@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/heldout/heldout.h"
-#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 

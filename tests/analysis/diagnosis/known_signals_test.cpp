@@ -112,7 +112,7 @@ TEST_CASE("what a known load is wrong by is in the floor of a prediction and in 
         Ticks t = c.ticks;
         for (std::size_t k = 0; k < t.size(); ++k) t.load[k] += sign * t.load_error[k];
         if (!wrong) t.load_error.clear();
-        return closed_loop(flatten(c.joint), t, seed).true_position;
+        return simulate_closed_loop(flatten(c.joint), t, seed).true_position;
     };
     CHECK(run(0, 1, true) == run(1, 1, false));   // odd seeds have it,
     CHECK(run(0, 2, true) == run(-1, 2, false));  // even ones its opposite,

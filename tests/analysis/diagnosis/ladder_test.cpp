@@ -1,5 +1,5 @@
+#include "analysis/diagnosis/ladder/ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
-#include "analysis/diagnosis/ladder/climb.h"
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/flexible.h"
 #include "analysis/diagnosis/ladder/plausible.h"

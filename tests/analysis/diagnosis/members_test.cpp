@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/search/search.h"
-#include "analysis/diagnosis/verdict/verdict.h"
+#include "analysis/diagnosis/verdict/decide.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"
 
@@ -110,7 +110,7 @@ TEST_CASE("a soft spring is found although springs too stiff to be seen miss by 
     const Scales scales = scales_of(cases);
     const double stiffness = 700;  // 53 rad/s
     const Joint soft = edited(cases[0].joint, spring, {0.7, stiffness, 0, 0.07}, 0);
-    const Trace trace = closed_loop(flatten(soft), t, 5);
+    const Trace trace = simulate_closed_loop(flatten(soft), t, 5);
     t.position = trace.position, t.velocity = trace.velocity, t.command = trace.command;
     const Nominal nominal = judge_nominal(cases);
     const Fit context{cases, scales, nominal, test::in_order};

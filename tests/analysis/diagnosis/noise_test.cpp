@@ -1,6 +1,6 @@
 // What prepare() takes for noise of the sensors.
-#include "analysis/diagnosis/audit/noise.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
-#include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/verdict/locate_stages.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>

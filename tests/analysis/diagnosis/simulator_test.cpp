@@ -128,7 +128,7 @@ TEST_CASE("the sampled loop without friction is the matrix exponential with hold
         record.reference_velocity.push_back(0.7 * std::sin(7 * t));
     }
     const Ticks ticks = on_clock(record, joint);
-    const Trace trace = closed_loop(flatten(joint), ticks, 0);
+    const Trace trace = simulate_closed_loop(flatten(joint), ticks, 0);
 
     Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
     a(0, 1) = 1;
@@ -198,7 +198,7 @@ TEST_CASE("white reading noise reaches the innovation of a true model by the com
     record.reference_position.assign(record.rows(), 0);
     Ticks ticks = on_clock(record, joint);
     const Plant plant = flatten(joint);
-    const Trace trace = closed_loop(plant, ticks, 7);
+    const Trace trace = simulate_closed_loop(plant, ticks, 7);
     ticks.position = trace.position;
     ticks.command = trace.command;
     for (const double omega : {110.0, 20.0}) {
@@ -224,10 +224,10 @@ TEST_CASE("noise of neighbouring seeds is not one sequence, shifted", "[gap]")
     r.reference_position.assign(r.rows(), 0);
     const Ticks ticks = on_clock(r, j);
     const Plant plant = flatten(j);
-    const auto one = closed_loop(plant, ticks, 1).position;
+    const auto one = simulate_closed_loop(plant, ticks, 1).position;
     for (std::uint64_t seed : {2, 3, 4, 5, 9})
         for (int shift = -4; shift <= 4; ++shift) {
-            const auto other = closed_loop(plant, ticks, seed).position;
+            const auto other = simulate_closed_loop(plant, ticks, seed).position;
             double product = 0, n = 0;
             for (int k = 10; k + 10 < 4000; ++k)
                 product += one[static_cast<std::size_t>(k)] * other[static_cast<std::size_t>(k + shift)], n += 1;
@@ -245,7 +245,7 @@ TEST_CASE("simulated readings keep the part of their noise that the records keep
     Ticks ticks = on_clock(r, j);
     for (const double kept : {0.0, 0.8}) {
         ticks.noise_kept = kept;
-        const auto y = closed_loop(flatten(j), ticks, 5).position;
+        const auto y = simulate_closed_loop(flatten(j), ticks, 5).position;
         double square = 0, next = 0;
         for (std::size_t k = 0; k + 1 < y.size(); ++k) square += y[k] * y[k], next += y[k] * y[k + 1];
         CAPTURE(kept);
@@ -263,11 +263,11 @@ TEST_CASE("a simulated joint starts anywhere within a step of its encoder", "[ga
     r.reference_position.assign(r.rows(), 0);
     const Ticks ticks = on_clock(r, j);
     const Plant plant = flatten(j);
-    CHECK(closed_loop(plant, ticks, 0).true_position[0] == ticks.position[0]);
+    CHECK(simulate_closed_loop(plant, ticks, 0).true_position[0] == ticks.position[0]);
     double sum = 0, square = 0;
     constexpr int seeds = 400;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const Trace run = closed_loop(plant, ticks, seed);
+        const Trace run = simulate_closed_loop(plant, ticks, seed);
         const double off = run.true_position[0] - ticks.position[0];
         REQUIRE(std::abs(off) <= 0.005);
         REQUIRE(run.position[0] == Approx(ticks.position[0]).margin(1e-12));
@@ -358,7 +358,7 @@ TEST_CASE("whether a loaded link starts on its flank or falls through its play i
         for (std::size_t k = 0; k < 75; ++k) REQUIRE(std::abs(run.position[k]) < 2e-5);
         // the impact rebounds a little
         for (std::size_t k = 75; k < record.rows(); ++k) REQUIRE(std::abs(run.position[k]) < 2e-3);
-        const Trace again = closed_loop(flatten(joint), ticks, 0);
+        const Trace again = simulate_closed_loop(flatten(joint), ticks, 0);
         CHECK((again.true_position[60] == 0) == (head_start > 0));
     }
 }

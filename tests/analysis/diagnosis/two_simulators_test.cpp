@@ -36,7 +36,7 @@ double difference(const Joint& joint)
     record.time = exact.time, record.position = exact.position;
     record.reference_position = exact.reference_position, record.reference_velocity = exact.reference_velocity;
     const Joint written = record_form(joint);
-    const auto fast = closed_loop(flatten(written), on_clock(record, written), 0);
+    const auto fast = simulate_closed_loop(flatten(written), on_clock(record, written), 0);
     double worst = 0;
     for (std::size_t k = 0; k < record.time.size(); ++k)
         worst = std::max(worst, std::abs(fast.position[k] - exact.position[k]));

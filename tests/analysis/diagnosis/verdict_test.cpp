@@ -1,9 +1,9 @@
-#include "analysis/diagnosis/verdict/verdict.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
 #include "analysis/diagnosis/tell_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
+#include "analysis/diagnosis/verdict/decide.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"
 

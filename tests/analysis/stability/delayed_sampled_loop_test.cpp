@@ -100,7 +100,7 @@ TEST_CASE("Dead time aside gives the multipliers and windows of the matrix that 
             for (const bool integrates : {false, true}) {
                 const LoopTiming timing{1e-3, ticks * 1e-3, tau, 2, false};
                 const LoopGains base{0, 300, integrates ? 2e4 : 0, 0}, turned{1, 0, 0, 0};
-                const auto whole = sampled_loop(plant, timing, base, turned);
+                const auto whole = discrete_loop(plant, timing, base, turned);
                 const auto aside = delayed_sampled_loop({plant, {}, {}}, timing, 0, base, turned);
                 REQUIRE(aside);
                 INFO("ticks " << ticks << " tau " << tau << " integral " << integrates);

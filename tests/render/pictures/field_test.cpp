@@ -1,6 +1,6 @@
-#include "render/pictures/field.h"
 #include "render/drawing/colour_map.h"
 #include "render/pictures/placement.h"
+#include "render/pictures/signed_field.h"
 
 #include <catch2/catch.hpp>
 

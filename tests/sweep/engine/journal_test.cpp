@@ -39,7 +39,7 @@ void check_contents(const Plan& p, const ChunkIndex& index)
         point_by_point(toy_point)(cursor, rows);
         encode_record(p, format, chunk, rows, expected);
         const auto found = reader.read(chunk);
-        REQUIRE(std::memcmp(found.data(), expected.data() + sizeof(RecordHeader), found.size()) == 0);
+        REQUIRE(std::memcmp(found.data(), expected.data() + sizeof(ChunkHeader), found.size()) == 0);
     }
 }
 

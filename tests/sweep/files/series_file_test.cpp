@@ -68,7 +68,7 @@ TEST_CASE("a series that does not fit is refused at its place", "[files]")
 
 TEST_CASE("samples are means of the straight lines, the last value behind them", "[files]")
 {
-    const Series s{{3, 4, 6}, {0, 2, -2}};
+    const TimeSeries s{{3, 4, 6}, {0, 2, -2}};
     // ∫ from the first row: t² up to 1, then 1 + 2(t − 1) − (t − 1)² up to 3, then −2 a second
     const auto means = s.sampled(0.8, 5);
     const auto integral = [](double t) {

@@ -1,7 +1,7 @@
 // The motion of a driven joint from one jump of what arrives to the next, through sticking and sliding.
 #pragma once
 #include "analysis/base/work_limits.h"
-#include "analysis/simulation/sampled/plant/rosenbrock.h"
+#include "analysis/simulation/sampled/plant/rosenbrock_step.h"
 
 #include <functional>
 

@@ -38,7 +38,7 @@ Record record_of(const Joint& joint)
         r.reference_position.push_back(0.2 * (1 - std::cos(r.time.back())));
     }
     r.position.assign(r.time.size(), 0);
-    const auto trace = gap::closed_loop(gap::flatten(joint), gap::on_clock(r, joint), 3);
+    const auto trace = gap::simulate_closed_loop(gap::flatten(joint), gap::on_clock(r, joint), 3);
     r.position = trace.position, r.effort_command = trace.command;
     return r;
 }

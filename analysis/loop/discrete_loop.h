@@ -42,8 +42,8 @@ struct DiscreteLoop {
 
 /// The loop from sample to sample: the mechanism, past readings, the filter, the integral, and the commands that dead
 /// time still holds back, whole ticks and a fraction. `base` acts, `turned` acts g times.
-DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& timing, const LoopGains& base,
-                          const LoopGains& turned);
+DiscreteLoop discrete_loop(const LoopPlant& plant, const LoopTiming& timing, const LoopGains& base,
+                           const LoopGains& turned);
 
 /// The same with the whole ticks of its dead time left aside: X_{k+1} = (1 + difference) X_k + input w_{k −
 /// whole_ticks}, w = held X − g output X. Nothing where what is turned acts in two places of the loop.

@@ -1,4 +1,4 @@
-#include "render/pictures/field.h"
+#include "render/pictures/signed_field.h"
 
 #include "analysis/results/text.h"
 

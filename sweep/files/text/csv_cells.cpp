@@ -1,4 +1,4 @@
-#include "sweep/files/text/csv.h"
+#include "sweep/files/text/csv_cells.h"
 
 #include "analysis/base/field.h"
 

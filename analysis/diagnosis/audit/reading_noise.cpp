@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/audit/noise.h"
+#include "analysis/diagnosis/audit/reading_noise.h"
 
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/numerics/statistics.h"

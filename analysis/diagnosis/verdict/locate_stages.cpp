@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/verdict/locate.h"
+#include "analysis/diagnosis/verdict/locate_stages.h"
 
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/verdict/shares.h"

@@ -1,4 +1,4 @@
-#include "analysis/boundary/kinds/orbit.h"
+#include "analysis/boundary/kinds/orbit_system.h"
 
 #include "analysis/joint/parameters.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/loop/sampled_loop.h"
+#include "analysis/loop/discrete_loop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,8 +198,8 @@ LoopOfTicks assembled(const LoopPlant& plant, const LoopTiming& t, const LoopGai
 
 }  // namespace
 
-DiscreteLoop sampled_loop(const LoopPlant& plant, const LoopTiming& timing, const LoopGains& base,
-                          const LoopGains& turned)
+DiscreteLoop discrete_loop(const LoopPlant& plant, const LoopTiming& timing, const LoopGains& base,
+                           const LoopGains& turned)
 {
     return assembled(plant, timing, base, turned, false).loop;
 }

@@ -1,4 +1,4 @@
-#include "analysis/simulation/sampled/plant/rosenbrock.h"
+#include "analysis/simulation/sampled/plant/rosenbrock_step.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "analysis/simulation/lanes/program.h"
+#include "analysis/simulation/lanes/lane_program.h"
 
 #include <algorithm>
 

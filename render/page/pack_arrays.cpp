@@ -1,4 +1,4 @@
-#include "render/page/pack.h"
+#include "render/page/pack_arrays.h"
 
 #include "render/drawing/encode.h"
 

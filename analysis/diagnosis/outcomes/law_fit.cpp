@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/outcomes/fit.h"
+#include "analysis/diagnosis/outcomes/law_fit.h"
 
 #include "analysis/diagnosis/outcomes/law_cost.h"
 #include "analysis/diagnosis/outcomes/side.h"

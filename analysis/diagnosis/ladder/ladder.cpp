@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/ladder/climb.h"
+#include "analysis/diagnosis/ladder/ladder.h"
 
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/fit_set.h"

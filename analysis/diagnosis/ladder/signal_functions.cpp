@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/ladder/functions.h"
+#include "analysis/diagnosis/ladder/signal_functions.h"
 
 #include "analysis/diagnosis/fit/seeds.h"
 

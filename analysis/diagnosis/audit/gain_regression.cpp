@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/audit/gains.h"
+#include "analysis/diagnosis/audit/gain_regression.h"
 
 #include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/plant/controller.h"

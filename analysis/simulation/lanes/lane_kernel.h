@@ -3,7 +3,7 @@
 // file can lend its instructions to another.
 #pragma once
 #include "analysis/simulation/lanes/functions.h"
-#include "analysis/simulation/lanes/program.h"
+#include "analysis/simulation/lanes/lane_program.h"
 
 namespace stickslip::lanes {
 

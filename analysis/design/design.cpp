@@ -1,4 +1,4 @@
-// In one file: one search for gains, its front and the report of what each demand costs.
+// In one file: one search for gains, its front and the report of what each requirement costs.
 #include "analysis/design/design.h"
 
 #include "analysis/design/check_requirements.h"
@@ -17,14 +17,14 @@ namespace {
 using Place = std::vector<double>;
 
 constexpr int rim_points = 24;
-constexpr double tolerance = 1e-6;        ///< of a demand, in its logarithm
+constexpr double tolerance = 1e-6;        ///< of a requirement, in its logarithm
 constexpr double offence = 1e3;           ///< what any violation costs the global search, far above ln(cost)
 constexpr double most_of_margin = 0.995;  ///< of the largest margin, where the front ends
 
 double worst_of(const Violations& v, int without = -1)
 {
     double worst = -infinity;
-    for (int i = 0; i < demand_count; ++i)
+    for (int i = 0; i < requirement_count; ++i)
         if (i != without) worst = std::max(worst, v[static_cast<std::size_t>(i)]);
     return worst;
 }
@@ -46,7 +46,7 @@ Pace pace_of(VerdictCost cost)
     return {scaled(usual.global, 20), scaled(usual.local, 10), scaled(usual.rounds, 1)};
 }
 
-/// Minimises `goal` of a choice while the demands hold (all but `without`).
+/// Minimises `goal` of a choice while the requirements hold (all but `without`).
 class Search {
   public:
     using Goal = std::function<double(const GainChoice&)>;
@@ -94,7 +94,7 @@ class Search {
             return std::isfinite(g) ? g : offence;
         };
         std::vector<Objective> constraints;
-        for (int i = 0; i < demand_count; ++i)
+        for (int i = 0; i < requirement_count; ++i)
             if (i != without_)
                 constraints.push_back([this, i](const Place& t) {
                     const double v = judge_.violations(judge_.at(t))[static_cast<std::size_t>(i)];
@@ -142,7 +142,7 @@ bool is_specified(const Requirements& r, int i)
     return i == 0 || (i == 1 ? std::isfinite(r.effort_limit) : is_set(r.least_velocity));
 }
 
-/// How a demand fares, and where it fares best.
+/// How a requirement fares, and where it fares best.
 struct Fared {
     RequirementReport report;
     GainChoice at;
@@ -153,7 +153,7 @@ Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i)
     const auto& r = judge.requirements();
     const auto index = static_cast<std::size_t>(i);
     RequirementReport report;
-    report.name = demand_names[index];
+    report.name = requirement_names[index];
     report.specified = specified(r, i);
     report.achieved = achieved(best, i);
     report.met = judge.violations(best)[index] <= tolerance;
@@ -169,12 +169,12 @@ Fared fared(Judge& judge, const GainChoice& best, const Place& place, int i)
     return {report, choice};
 }
 
-/// Where nothing is feasible: of the gains that give up one demand only, those that give up least of it.
-GainChoice nearest_feasible(Judge& judge, const std::vector<Fared>& demands, const GainChoice& otherwise)
+/// Where nothing is feasible: of the gains that give up one requirement only, those that give up least of it.
+GainChoice nearest_feasible(Judge& judge, const std::vector<Fared>& requirements, const GainChoice& otherwise)
 {
     const Fared* least = nullptr;
     const auto lacking = [&](const Fared& f) { return worst_of(judge.violations(f.at)); };
-    for (const auto& f : demands)
+    for (const auto& f : requirements)
         if (f.report.others_met && !f.report.met && std::isfinite(f.at.cost))
             if (!least || lacking(f) < lacking(*least)) least = &f;
     return least ? least->at : otherwise;
@@ -274,20 +274,21 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     const auto best = Search(judge, log_cost).run({own}, true);
     design.best = judged_at(judge, best);
     design.feasible = worst_of(judge.violations(design.best)) <= tolerance && std::isfinite(std::log(design.best.cost));
-    std::vector<Fared> demands;
-    tell(DesignStage::demands);
-    for (int i = 0; i < demand_count; ++i)
-        if (is_specified(r, i)) demands.push_back(fared(judge, design.best, best, i));
-    if (!design.feasible) design.best = nearest_feasible(judge, demands, design.best);
-    for (auto& d : demands) {
-        const auto i = std::find(demand_names.begin(), demand_names.end(), d.report.name) - demand_names.begin();
+    std::vector<Fared> requirements;
+    tell(DesignStage::requirements);
+    for (int i = 0; i < requirement_count; ++i)
+        if (is_specified(r, i)) requirements.push_back(fared(judge, design.best, best, i));
+    if (!design.feasible) design.best = nearest_feasible(judge, requirements, design.best);
+    for (auto& d : requirements) {
+        const auto i =
+            std::find(requirement_names.begin(), requirement_names.end(), d.report.name) - requirement_names.begin();
         d.report.achieved = achieved(design.best, static_cast<int>(i));
         d.report.met = judge.violations(design.best)[static_cast<std::size_t>(i)] <= tolerance;
-        design.demands.push_back(d.report);
+        design.requirements.push_back(d.report);
     }
     design.evaluations = judge.evaluations();
 
-    const double largest = design.demands[0].others_met ? most_of_margin * design.demands[0].attainable : 0;
+    const double largest = design.requirements[0].others_met ? most_of_margin * design.requirements[0].attainable : 0;
     tell(DesignStage::front);
     add_front(judge, r, best, own, largest, parallel, design);
 

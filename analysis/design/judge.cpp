@@ -11,12 +11,12 @@
 namespace stickslip {
 namespace {
 
-constexpr int velocity_steps = 12;      ///< a decade, when the least velocity is looked for
-constexpr double velocity_decades = 4;  ///< below V_0, as far as it is looked for without a demand
-constexpr double beyond_demand = 1.25;  ///< how far a margin is looked for, per demanded one
-constexpr double near = 0.7;            ///< where verdicts are counts: margins are looked for up to a factor of two
-constexpr double rough = 1e-4;          ///< of the distances that a search over directions compares
-constexpr double overlooking = 0.99;    ///< a margin that turns out less than that, per the one thought of, was wrong
+constexpr int velocity_steps = 12;           ///< a decade, when the least velocity is looked for
+constexpr double velocity_decades = 4;       ///< below V_0, as far as it is looked for without a requirement
+constexpr double beyond_requirement = 1.25;  ///< how far a margin is looked for, per specified one
+constexpr double near = 0.7;          ///< where verdicts are counts: margins are looked for up to a factor of two
+constexpr double rough = 1e-4;        ///< of the distances that a search over directions compares
+constexpr double overlooking = 0.99;  ///< a margin that turns out less than that, per the one thought of, was wrong
 
 }  // namespace
 
@@ -67,7 +67,7 @@ NearestOptions Judge::affordable() const
 
 double Judge::reach_for(double margin) const
 {
-    return std::max(cost_ == VerdictCost::counts ? near : default_reach(coordinates_), beyond_demand * margin);
+    return std::max(cost_ == VerdictCost::counts ? near : default_reach(coordinates_), beyond_requirement * margin);
 }
 
 Judge Judge::with_margin(double margin) const
@@ -225,7 +225,7 @@ Violations Judge::violations(const GainChoice& c) const
     v[0] = std::isnan(c.margin) ? 2 * reach_ : requirements_.margin - c.margin;
     v[1] = std::isfinite(requirements_.effort_limit) ? std::log(c.peak_effort / requirements_.effort_limit) : -infinity;
     v[2] = is_set(requirements_.least_velocity) ? std::log(c.least_velocity / requirements_.least_velocity) : -infinity;
-    // stable throughout: the search for the least velocity ends below the demand
+    // stable throughout: the search for the least velocity ends below the requirement
     if (c.margin < 0 && is_set(requirements_.least_velocity))
         v[2] = std::log(velocity_ / requirements_.least_velocity) - c.margin;
     return v;

@@ -11,11 +11,12 @@
 
 namespace stickslip {
 
-inline constexpr int demand_count = 3;
-inline constexpr std::array<const char*, demand_count> demand_names{"margin", "effort_limit", "least_velocity"};
+inline constexpr int requirement_count = 3;
+inline constexpr std::array<const char*, requirement_count> requirement_names{"margin", "effort_limit",
+                                                                              "least_velocity"};
 
-/// How far a choice is from each demand, in logarithms: ≤ 0 where met; −infinity where nothing is demanded.
-using Violations = std::array<double, demand_count>;
+/// How far a choice is from each requirement, in logarithms: ≤ 0 where met; −infinity where nothing is required.
+using Violations = std::array<double, requirement_count>;
 
 /// What one verdict takes: of a real loop its eigenvalues, a hundred times as long as of a mass in the ideal loop, and
 /// of delayed friction counts of roots, ten times as long again.

@@ -8,7 +8,7 @@
 namespace stickslip {
 
 /// What a search for gains is busy with.
-enum class DesignStage { best, demands, front, velocity_only };
+enum class DesignStage { best, requirements, front, velocity_only };
 
 /// One pair of gains and what it brings.
 struct GainChoice {
@@ -39,7 +39,7 @@ struct GainDesign {
     GainChoice best;
     double margin_reach = missing;   ///< margins are looked for up to here; that much means: at least that much
     double steady_effort = missing;  ///< what steady sliding takes without any noise
-    std::vector<RequirementReport> demands;
+    std::vector<RequirementReport> requirements;
     std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other requirements met
     bool velocity_only_found = false;  ///< whether velocity-only thinking finds gains at all
     GainChoice velocity_only;          ///< its choice, judged with memory

@@ -13,7 +13,7 @@ std::string gains_text(const GainChoice& c, const DesignUnits& u)
     return "k_{p} = " + u.stiffness(c.k_p) + ", k_{v} = " + u.damping(c.k_v);
 }
 
-std::string demand_name(const std::string& name)
+std::string requirement_name(const std::string& name)
 {
     return name == "margin" ? "margin" : name == "effort_limit" ? "peak effort" : "least stable velocity";
 }
@@ -23,7 +23,7 @@ std::string margin_text(double margin, const GainDesign& d)
     return (margin >= d.margin_reach ? "> " : "") + plain_number(margin, 3);
 }
 
-std::string demand_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
+std::string requirement_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
 {
     if (d.name == "effort_limit") return u.effort(value);
     return d.name == "margin" ? margin_text(value, a.design) : u.velocity(value);
@@ -67,17 +67,17 @@ std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)
     std::string text = "No gains within the range meet every requirement.";
     if (a.requirements.effort_limit <= a.design.steady_effort)
         text += " Steady sliding alone takes " + u.effort(a.design.steady_effort) + ".";
-    for (const auto& d : a.design.demands) {
+    for (const auto& d : a.design.requirements) {
         if (d.met) continue;
         std::string others;
-        for (const auto& o : a.design.demands)
-            if (o.name != d.name) others += (others.empty() ? "" : " and ") + demand_name(o.name);
+        for (const auto& o : a.design.requirements)
+            if (o.name != d.name) others += (others.empty() ? "" : " and ") + requirement_name(o.name);
         if (d.others_met)
-            text += (others.empty() ? " The " : " With " + others + " as required, the ") + demand_name(d.name) +
-                    " can be " + demand_value(d, d.attainable, a, u) +
-                    " (required: " + demand_value(d, d.specified, a, u) + ").";
+            text += (others.empty() ? " The " : " With " + others + " as required, the ") + requirement_name(d.name) +
+                    " can be " + requirement_value(d, d.attainable, a, u) +
+                    " (required: " + requirement_value(d, d.specified, a, u) + ").";
         else
-            text += " No gains give " + others + " as required, for any " + demand_name(d.name) + ".";
+            text += " No gains give " + others + " as required, for any " + requirement_name(d.name) + ".";
     }
     return text + " Nearest to feasible: " + gains_text(a.design.best, u) + ".";
 }
@@ -115,7 +115,7 @@ std::string stage_text(DesignStage stage)
     switch (stage) {
         case DesignStage::best:
             return "the best gains under all requirements";
-        case DesignStage::demands:
+        case DesignStage::requirements:
             return "what each requirement can reach";
         case DesignStage::front:
             return "the Pareto front";
@@ -158,14 +158,14 @@ std::vector<Table> design_tables(const DesignAnswer& a)
                        "peak effort", "margin", "stable down to"};
     choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, d, u),
                     row_of("velocity-only model", d.velocity_only, d, u), row_of("as in the joint", d.as_joint, d, u)};
-    Table demands;
-    demands.title = "Requirements";
-    demands.columns = {"requirement", "specified", "achieved", "attainable, others kept", "outcome"};
-    for (const auto& r : d.demands)
-        demands.rows.push_back(
-            {demand_name(r.name), demand_value(r, r.specified, a, u), demand_value(r, r.achieved, a, u),
-             demand_value(r, r.attainable, a, u) + (r.others_met ? "" : " (alone)"), r.met ? "met" : "not met"});
-    return {choices, demands};
+    Table requirements;
+    requirements.title = "Requirements";
+    requirements.columns = {"requirement", "specified", "achieved", "attainable, others kept", "outcome"};
+    for (const auto& r : d.requirements)
+        requirements.rows.push_back(
+            {requirement_name(r.name), requirement_value(r, r.specified, a, u), requirement_value(r, r.achieved, a, u),
+             requirement_value(r, r.attainable, a, u) + (r.others_met ? "" : " (alone)"), r.met ? "met" : "not met"});
+    return {choices, requirements};
 }
 
 }  // namespace stickslip

@@ -26,13 +26,13 @@ std::string gains_text(const GainChoice& c, const DesignUnits& u);
 std::string stage_text(DesignStage stage);
 
 /// Of a requirement, in words.
-std::string demand_name(const std::string& name);
+std::string requirement_name(const std::string& name);
 
 /// A margin as large as was looked for is at least that large.
 std::string margin_text(double margin, const GainDesign& d);
 
 /// A value of a requirement with its unit.
-std::string demand_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u);
+std::string requirement_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u);
 
 /// An optimum at the end of what was searched is one of the search.
 std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits& u);
@@ -46,7 +46,7 @@ std::string design_verdict_text(const DesignAnswer& answer);
 /// The same, followed by the ends of the searched range on which the optimum lies: the page has alerts for those.
 std::string design_text(const DesignAnswer& answer);
 
-/// The choices side by side, and how each demand fared.
+/// The choices side by side, and how each requirement fared.
 std::vector<Table> design_tables(const DesignAnswer& answer);
 
 }  // namespace stickslip

@@ -32,7 +32,7 @@ nlohmann::ordered_json design_json(const DesignAnswer& a)
     json["best"] = choice_json(d.best);
     json["nearest_boundary"] = nearest_json(a.nearest);
     json["demands"] = nlohmann::ordered_json::array();
-    for (const auto& r : d.demands)
+    for (const auto& r : d.requirements)
         json["demands"].push_back({{"name", r.name},
                                    {"demanded", json_number(r.specified)},
                                    {"reached", json_number(r.achieved)},

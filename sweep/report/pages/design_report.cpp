@@ -57,13 +57,13 @@ std::vector<Headline> headlines(const DesignAnswer& a, const DesignUnits& u)
     list.push_back({Tone::neutral, u.stiffness(d.best.k_p), "position gain k_{p}"});
     list.push_back({Tone::neutral, u.damping(d.best.k_v), "velocity gain k_{v}"});
     list.push_back({Tone::neutral, u.position(d.best.motion_noise), "rms motion from sensor noise"});
-    for (const auto& r : d.demands)
+    for (const auto& r : d.requirements)
         list.push_back(
-            {r.met ? Tone::good : Tone::bad, demand_value(r, r.achieved, a, u),
+            {r.met ? Tone::good : Tone::bad, requirement_value(r, r.achieved, a, u),
              (r.name == "margin" ? "margin: " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
                                        all_at_once(r.achieved, scales_of(a)) + " at once; required: at least "
-                                 : demand_name(r.name) + "; required: at most ") +
-                 demand_value(r, r.specified, a, u)});
+                                 : requirement_name(r.name) + "; required: at most ") +
+                 requirement_value(r, r.specified, a, u)});
     return list;
 }
 

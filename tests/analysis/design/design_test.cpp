@@ -115,7 +115,7 @@ TEST_CASE("with position feedback alone the optimum stands on the demanded margi
     for (const auto& c : d.front) CHECK(c.k_p == Approx(5e4 * std::exp(c.margin * std::sqrt(2.0))).epsilon(1e-2));
 }
 
-TEST_CASE("a demand that cannot be met is named with what could be", "[design]")
+TEST_CASE("a requirement that cannot be met is named with what could be", "[design]")
 {
     Joint joint = example_joint(6e4, 0, 1e-3);
     joint.mechanism.inertia = 1e-9;
@@ -127,16 +127,16 @@ TEST_CASE("a demand that cannot be met is named with what could be", "[design]")
     r.effort_limit = 60.1;
     const auto d = design_gains(joint, r, test::in_order);
     CHECK_FALSE(d.feasible);
-    REQUIRE(d.demands.size() == 2);
-    CHECK(d.demands[1].name == "effort_limit");
-    CHECK(d.demands[1].others_met);
+    REQUIRE(d.requirements.size() == 2);
+    CHECK(d.requirements[1].name == "effort_limit");
+    CHECK(d.requirements[1].others_met);
     // the nearest to feasible gives up the limit only, and no more of it than it has to
     CHECK(d.best.margin >= 0.2 - 1e-4);
-    CHECK(d.best.peak_effort == Approx(d.demands[1].attainable).epsilon(1e-9));
+    CHECK(d.best.peak_effort == Approx(d.requirements[1].attainable).epsilon(1e-9));
     CHECK(d.steady_effort == Approx(60));
-    CHECK(d.demands[1].attainable == Approx(60 + 3e-6 * 5e4 * std::exp(0.2 * std::sqrt(2.0))).epsilon(1e-4));
+    CHECK(d.requirements[1].attainable == Approx(60 + 3e-6 * 5e4 * std::exp(0.2 * std::sqrt(2.0))).epsilon(1e-4));
     // and the margin that 60.1 N allow: 3e-6 k_p = 0.1
-    CHECK(d.demands[0].attainable == Approx(std::log(0.1 / 3e-6 / 5e4) / std::sqrt(2.0)).margin(2e-2));
+    CHECK(d.requirements[0].attainable == Approx(std::log(0.1 / 3e-6 / 5e4) / std::sqrt(2.0)).margin(2e-2));
 }
 
 TEST_CASE("a front holds no choice that another one beats in both", "[design][slow]")

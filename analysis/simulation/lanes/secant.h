@@ -49,8 +49,8 @@ class SecantSearch {
 
     /// Takes P(start) and gives the start of the next turn.
     /// `may_vanish` says that the motion may also decay to steady sliding, which no step may then anticipate.
-    /// `closure` is the distance to the fixed point, per amplitude, at which the search ends.
-    State next(Point start, Point end, bool may_vanish, Point& proposal, double closure = lanes::closure)
+    /// `close_by` is the distance to the fixed point, per amplitude, at which the search ends.
+    State next(Point start, Point end, bool may_vanish, Point& proposal, double close_by = closure)
     {
         const Point gap = end - start;
         const double size = length(end);
@@ -66,8 +66,8 @@ class SecantSearch {
             const Point target = end + step;
             const double remaining = length(target - start);
             const bool contracts = multiplier_ < 1;
-            const double largest_gap = std::max(1e-3, 30 * closure);
-            if (contracts && remaining < closure * size && length(gap) < largest_gap * size) {
+            const double largest_gap = std::max(1e-3, 30 * close_by);
+            if (contracts && remaining < close_by * size && length(gap) < largest_gap * size) {
                 proposal = target;
                 if (count_ > 1) multiplier_ = std::max(multiplier_, multiplier_of_two());
                 return multiplier_ < 1 ? State::closed : State::lost;

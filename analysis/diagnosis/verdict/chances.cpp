@@ -25,6 +25,16 @@ bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t
     return true;
 }
 
+/// What part of its chance the last of several rungs keeps beside what the ladder leaves.
+double part_kept(const JudgedLadder& j)
+{
+    const auto& left = j.shares.rungs;
+    if (j.noise_left || left.size() < 2) return 1;
+    const double taken = std::max(0.0, left[left.size() - 2] - left.back()),
+                 enough = policy::taken_of_rest * left.back();
+    return taken < enough ? taken / enough : 1;
+}
+
 }  // namespace
 
 std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
@@ -63,7 +73,7 @@ std::vector<double> chances_of(const JudgedLadder& j)
         const double sum = std::accumulate(odds.begin(), odds.end(), 1.0);
         // a rest speaks against the last cause that was found: the others take more than it does
         const bool last = i + 1 == j.ladder.rungs.size();
-        chances.push_back(std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum);
+        chances.push_back(std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum * (last ? part_kept(j) : 1));
     }
     return chances;
 }

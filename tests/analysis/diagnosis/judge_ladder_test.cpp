@@ -84,6 +84,23 @@ TEST_CASE("the rest speaks against the last cause that was found, not against th
     CHECK(chances[1] == Approx(1 - policy::doubt_of_noise - policy::doubt_of_rest));
 }
 
+TEST_CASE("a further rung that takes less than it leaves may be a part of what is left", "[gap][ladder]")
+{
+    auto j = ladder_of_one({}, 3, false);
+    j.ladder.rungs.push_back(rung({"stribeck", "delay"}, 0.05, 3));
+    j.ladder.rivals.emplace_back();
+    const auto last_of = [&](double above, double left) {
+        j.shares.rungs = {above, left}, j.shares.explainable_to = left;
+        return chances_of(j)[1];
+    };
+    const double whole = 1 - policy::doubt_of_noise - policy::doubt_of_rest;  // 0.3 is beyond nearest_in_shape
+    CHECK(last_of(0.6, 0.3) == Approx(whole));
+    CHECK(last_of(0.4, 0.3) == Approx(whole / 3));
+    CHECK(last_of(0.3, 0.3) == 0);
+    j.noise_left = true;
+    CHECK(last_of(0.4, 0.3) == Approx(1 - policy::doubt_of_noise));
+}
+
 TEST_CASE("a rival of a lower rung is believed by the set that it makes with the rungs on top", "[gap][ladder]")
 {
     auto j = ladder_of_one({0, 0}, 3, false);

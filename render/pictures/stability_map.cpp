@@ -82,8 +82,9 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
     draw_region_labels(canvas, frame, drawn, unsmooth_end(map), obstacles);
     draw_axes(canvas, frame);
     draw_body_bar(canvas, frame.box, scale);
-    const double bottom = draw_legend(canvas, body_legend(canvas, {body}, map.has_design, unsmooth_end(map)), frame.box.left,
-                                      frame.box.bottom() + axis_depth + 16, picture_width - frame.box.left - 16);
+    const double bottom =
+        draw_legend(canvas, body_legend(canvas, {body}, map.has_design, unsmooth_end(map)), frame.box.left,
+                    frame.box.bottom() + axis_depth + 16, picture_width - frame.box.left - 16);
     const int height = static_cast<int>(std::ceil(bottom)) + 6;
     return {canvas.svg(height, plain_text(map.title), description), "", picture_width, height, frame.box, {}};
 }

@@ -40,7 +40,7 @@ std::string design_words(const DesignPoint& design, bool rests)
     if (design.region == Region::undecided) return "The design is undecided.";
     if (design.region == Region::neutral) return "The design is neutral: small disturbances neither decay nor grow.";
     return design.spectral_abscissa < 0 ? "The design slides smoothly."
-           : rests               ? "The design comes to rest for good."
+           : rests                      ? "The design comes to rest for good."
                                         : "The design sticks and slips.";
 }
 
@@ -155,7 +155,8 @@ Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool
                      percent(share_of(slice, {Region::stable, Region::memory_only})) + " of the chart; on " + needless +
                      " of it only the model with memory predicts this, and on " + missed +
                      " the velocity-only model wrongly predicts smooth sliding. " +
-                     (bistable > 0 ? percent(bistable) + " is bistable. " : "") + design_words(map.design, design_rests);
+                     (bistable > 0 ? percent(bistable) + " is bistable. " : "") +
+                     design_words(map.design, design_rests);
     figure.caption =
         "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Two models of the "
         "same friction are compared. Solid: boundary with memory (state-variable friction). Dashed: boundary of the "

@@ -91,7 +91,8 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
                 std::to_string(cycles) + " of " + std::to_string(values.size()) + " points; none elsewhere.";
             figures.push_back(line_figure(chart_id(kind.id, axis, axis), std::move(chart), finding,
                                           std::string(kind.meaning) + " " + followed_text(profile.readings) +
-                                              "; where the line ends, " + none_reached(rests_of(profile.readings)) + "."));
+                                              "; where the line ends, " + none_reached(rests_of(profile.readings)) +
+                                              "."));
         }
     return figures;
 }

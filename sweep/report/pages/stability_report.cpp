@@ -2,7 +2,6 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
-#include "analysis/simulation/sampled/loop_verdict.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/model_drawing.h"
@@ -84,7 +83,7 @@ void add_alerts(Report& report, const SweepSummary& summary, const std::vector<c
                                                     " no verdict: " + reason_text(reason) + "."});
 }
 
-std::vector<std::string> not_checked(const Spec& spec, const Joint& joint)
+std::vector<std::string> not_checked(const Spec& spec, const LoopUse& loop)
 {
     std::vector<std::string> list;
     if (!spec.nonlinear.enabled)
@@ -96,7 +95,7 @@ std::vector<std::string> not_checked(const Spec& spec, const Joint& joint)
     list.push_back(
         "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of these "
         "verdicts.");
-    if (!has_real_loop(joint)) list.push_back("Sampling, saturation and quantisation of a digital loop.");
+    if (loop.kind == LoopKind::ideal) list.push_back("Sampling, saturation and quantisation of a digital loop.");
     list.push_back("Whether the parameters are those of your machine: compare records with stickslip diagnose.");
     return list;
 }
@@ -155,11 +154,10 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
                    : !spec.title.empty()      ? spec.title
                                               : "Where the joint slides smoothly";
     report.subtitle = subtitle(spec, joint, summary.points);
-    const auto verdict = design_verdict(joint, linear, own.region, own.nonlinear.comes_to_rest());
+    const bool rests = own.nonlinear.comes_to_rest();
+    const auto verdict = design_verdict(joint, linear, own.region, rests);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
-    const bool rests = own.nonlinear.comes_to_rest();
-
     const auto& margins = answer.margins;
     Section maps{"maps", "Stability maps", "", {}, {}};
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
@@ -200,7 +198,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     report.sections.push_back(design_section(spec, joint, answer));
     for (auto& section : linear_sections(joint, own.details)) report.sections.push_back(std::move(section));
 
-    report.not_checked = not_checked(spec, joint);
+    report.not_checked = not_checked(spec, linear.loop);
     report.provenance = summary.provenance;
     return report;
 }

@@ -1,5 +1,6 @@
 // Random real loops whose verbs once contradicted each other.
 #include "tests/analysis/loop/random_loop.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 
 #include <catch2/catch.hpp>
 

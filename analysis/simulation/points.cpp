@@ -41,29 +41,29 @@ void ideal_points(std::span<const Joint> joints, const NonlinearOptions& options
     }
 }
 
-/// Lanes move what they can from tick to tick side by side; the others are followed one by one.
-void real_points(std::span<const Joint* const> joints, const NonlinearOptions& options,
-                 std::span<PointResult* const> points)
+}  // namespace
+
+std::vector<NonlinearVerdict> real_loop_verdicts(std::span<const Joint* const> joints, const NonlinearOptions& options)
 {
+    std::vector<NonlinearVerdict> verdicts(joints.size());
     std::vector<const Joint*> together;
-    std::vector<PointResult*> rows;
+    std::vector<std::size_t> place;
     for (std::size_t i = 0; i < joints.size(); ++i) {
         if (lanes::in_ticked_lanes(*joints[i]))
-            together.push_back(joints[i]), rows.push_back(points[i]);
+            together.push_back(joints[i]), place.push_back(i);
         else
-            write_nonlinear(nonlinear_verdict(*joints[i], options), *points[i]);
+            verdicts[i] = nonlinear_verdict(*joints[i], options);
     }
-    std::vector<LoopVerdict> verdicts(together.size());
+    std::vector<LoopVerdict> found(together.size());
     const auto answered = std::make_unique<bool[]>(together.size());
-    lanes::answer_ticked(together, loop_question(options), verdicts, answered.get(), lanes::best_instructions());
+    lanes::answer_ticked(together, loop_question(options), found, answered.get(), lanes::best_instructions());
     for (std::size_t i = 0; i < together.size(); ++i) {
-        auto verdict = answered[i] ? verdict_of(verdicts[i], options) : nonlinear_verdict(*together[i], options);
+        auto& verdict = verdicts[place[i]];
+        verdict = answered[i] ? verdict_of(found[i], options) : nonlinear_verdict(*together[i], options);
         if (answered[i]) verdict.path = DecisionPath::lanes;
-        write_nonlinear(verdict, *rows[i]);
     }
+    return verdicts;
 }
-
-}  // namespace
 
 void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points)
 {
@@ -78,7 +78,8 @@ void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& opt
         else
             ideal.push_back(joints[i]), rows.push_back(points[i]);
     }
-    real_points(real, options, real_rows);
+    const auto verdicts = real_loop_verdicts(real, options);
+    for (std::size_t i = 0; i < real.size(); ++i) write_nonlinear(verdicts[i], *real_rows[i]);
     ideal_points(ideal, options, rows);
     auto next = rows.begin();
     for (std::size_t i = 0; i < joints.size(); ++i)

@@ -88,7 +88,8 @@ double real_side(const Joint& joint, double commanded, bool velocity_only_fricti
 Complex real_root(const Joint& joint, double commanded)
 {
     const double velocity = sliding_velocity(joint, commanded);
-    const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
+    const auto linear = linear_joint(joint, velocity);
+    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!loop) return missing;
     Complex root = missing;
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) {
@@ -97,6 +98,7 @@ Complex real_root(const Joint& joint, double commanded)
     } else if (const auto all = roots(std::get<DelayedLoop>(loop->loop), loop->gain); !all.empty()) {
         root = all.front();
     }
+    if (!std::isfinite(std::abs(root)) && growth(*loop) == infinity) return growth_within_tick(joint, linear, velocity);
     return {root.real(), std::abs(root.imag())};
 }
 

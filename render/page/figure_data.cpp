@@ -72,11 +72,11 @@ std::string class_name(std::string_view name, std::string_view text)
     return JsonObject().text("name", name).text("text", text).close();
 }
 
-std::string region_classes()
+std::string region_classes(UnsmoothEnd unsmooth = UnsmoothEnd::stick_slip)
 {
     std::vector<std::string> list;
     for (int i = 0; i <= static_cast<int>(Region::neutral); ++i)
-        list.push_back(class_name(region_name(static_cast<Region>(i)), region_text(static_cast<Region>(i))));
+        list.push_back(class_name(region_name(static_cast<Region>(i)), region_text(static_cast<Region>(i), unsmooth)));
     return json_array(list);
 }
 
@@ -88,7 +88,7 @@ std::string data(const StabilityMap& map, const RenderedFigure& rendered)
     for (const auto& r : map.readings)
         readings.push_back(reading(r.name, r.quantity, map.units, r.values, r.column == "interpolation_error"));
     json.raw("readings", json_array(readings))
-        .raw("classes", region_classes())
+        .raw("classes", region_classes(unsmooth_end(map)))
         .text("class", pack(region_codes(map.region)));
     if (design) json.numbers("design", {map.design.x, map.design.y});
     if (!map.command.empty()) json.text("command", map.command);

@@ -1,5 +1,7 @@
 #include "render/pictures/regions.h"
 
+#include "analysis/results/rests.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,19 +84,39 @@ std::string_view region_name(Region region)
     return "undecided";
 }
 
-std::string_view region_text(Region region)
+UnsmoothEnd unsmooth_end(const StabilityMap& map)
 {
+    const auto rests = rests_of(map.readings);
+    std::size_t still = 0, unsmooth = 0;
+    for (std::size_t i = 0; i < rests.size(); ++i) {
+        const auto region = map.region[i];
+        still += rests[i];
+        unsmooth += region == Region::unstable || region == Region::velocity_only || region == Region::bistable;
+    }
+    return still == 0 ? UnsmoothEnd::stick_slip : still < unsmooth ? UnsmoothEnd::mixed : UnsmoothEnd::rest;
+}
+
+std::string_view region_text(Region region, UnsmoothEnd unsmooth)
+{
+    const auto by_end = [unsmooth](std::string_view sticks, std::string_view mixed, std::string_view rests) {
+        return unsmooth == UnsmoothEnd::stick_slip ? sticks : unsmooth == UnsmoothEnd::mixed ? mixed : rests;
+    };
     switch (region) {
         case Region::stable:
             return "smooth in both theories";
         case Region::memory_only:
             return "smooth with memory, though velocity-only forbids it";
         case Region::velocity_only:
-            return "stick-slip with memory, though velocity-only allows it";
+            return by_end("stick-slip with memory, though velocity-only allows it",
+                          "stick-slip or rest with memory, though velocity-only allows sliding",
+                          "rest for good with memory, though velocity-only allows sliding");
         case Region::unstable:
-            return "stick-slip in both theories";
+            return by_end("stick-slip in both theories", "unstable in both theories: stick-slip, or rest for good",
+                          "unstable in both theories: rest for good");
         case Region::bistable:
-            return "bistable: a larger disturbance ends in stick-slip";
+            return by_end("bistable: a larger disturbance ends in stick-slip",
+                          "bistable: a larger disturbance ends in stick-slip, or at rest for good",
+                          "bistable: a larger disturbance ends at rest for good");
         case Region::neutral:
             return "neutral: small disturbances neither decay nor grow";
         case Region::undecided:

@@ -4,6 +4,7 @@
 #include "analysis/results/stability_map.h"
 #include "render/drawing/canvas.h"
 
+#include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,13 @@ namespace stickslip::drawing {
 constexpr Region all_regions[] = {Region::stable,   Region::memory_only, Region::velocity_only, Region::unstable,
                                   Region::bistable, Region::neutral,     Region::undecided};
 
+/// How the motion ends where it does not slide on: stick-slip, rest for good where limits leave less effort than breaks
+/// static friction, or either, depending on the point.
+enum class UnsmoothEnd : std::uint8_t { stick_slip, mixed, rest };
+UnsmoothEnd unsmooth_end(const StabilityMap& map);
+
 std::string_view region_name(Region region);  ///< "memory-only": for files and scripts
-std::string_view region_text(Region region);  ///< for the legend
+std::string_view region_text(Region region, UnsmoothEnd unsmooth = UnsmoothEnd::stick_slip);  ///< for the legend
 
 /// Where a texture goes: in pixels of the canvas.
 using Covers = std::function<bool(Point)>;

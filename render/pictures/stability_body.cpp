@@ -80,7 +80,8 @@ DrawnBody draw_body(Canvas& canvas, const Frame& frame, const StabilityBody& bod
     return drawn;
 }
 
-std::vector<LegendEntry> body_legend(Canvas& canvas, const std::vector<StabilityBody>& bodies, bool has_design)
+std::vector<LegendEntry> body_legend(Canvas& canvas, const std::vector<StabilityBody>& bodies, bool has_design,
+                                     UnsmoothEnd unsmooth)
 {
     std::vector<LegendEntry> entries;
     const auto occurs = [&](auto in) { return std::any_of(bodies.begin(), bodies.end(), in); };
@@ -104,7 +105,7 @@ std::vector<LegendEntry> body_legend(Canvas& canvas, const std::vector<Stability
                                    draw_texture(canvas, region, box, [](Point) { return true; });
                                    canvas.frame(box, {theme::muted, 0.8, {}});
                                },
-                               std::string(region_text(region))});
+                               std::string(region_text(region, unsmooth))});
     if (has_design)
         entries.push_back({[&canvas](const Rectangle& box) {
                                draw_cross(canvas, {box.left + box.width / 2, box.top + box.height / 2});

@@ -5,6 +5,7 @@
 #include "render/axes/frame.h"
 #include "render/pictures/placement.h"
 #include "render/pictures/region_raster.h"
+#include "render/pictures/regions.h"
 #include "render/pictures/signed_field.h"
 
 #include <memory>
@@ -34,7 +35,8 @@ DrawnBody draw_body(Canvas& canvas, const Frame& frame, const StabilityBody& bod
                     const std::string& title);
 
 /// The boundaries and regions that occur, and the design's mark.
-std::vector<LegendEntry> body_legend(Canvas& canvas, const std::vector<StabilityBody>& bodies, bool has_design);
+std::vector<LegendEntry> body_legend(Canvas& canvas, const std::vector<StabilityBody>& bodies, bool has_design,
+                                     UnsmoothEnd unsmooth = UnsmoothEnd::stick_slip);
 
 /// The bar of the field's colours, right of `plot`.
 void draw_body_bar(Canvas& canvas, const Rectangle& plot, const FieldScale& scale);

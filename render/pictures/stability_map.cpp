@@ -24,17 +24,20 @@ std::string statement(const StabilityMap& map)
     return text;
 }
 
-std::string_view region_label(Region region)
+std::string_view region_label(Region region, UnsmoothEnd unsmooth)
 {
+    const auto by_end = [unsmooth](std::string_view sticks, std::string_view mixed, std::string_view rests) {
+        return unsmooth == UnsmoothEnd::stick_slip ? sticks : unsmooth == UnsmoothEnd::mixed ? mixed : rests;
+    };
     switch (region) {
         case Region::stable:
             return "smooth";
         case Region::memory_only:
             return "smooth, thanks to memory";
         case Region::velocity_only:
-            return "stick-slip, due to memory";
+            return by_end("stick-slip, due to memory", "stick-slip or rest, due to memory", "rest, due to memory");
         case Region::unstable:
-            return "stick-slip";
+            return by_end("stick-slip", "stick-slip or rest", "rest for good");
         case Region::bistable:
             return "bistable";
         case Region::neutral:
@@ -46,11 +49,12 @@ std::string_view region_label(Region region)
 }
 
 /// The name of every region that has room for it, where the room is largest.
-void draw_region_labels(Canvas& canvas, const Frame& frame, const DrawnBody& body, Obstacles obstacles)
+void draw_region_labels(Canvas& canvas, const Frame& frame, const DrawnBody& body, UnsmoothEnd unsmooth,
+                        Obstacles obstacles)
 {
     const TextStyle style{13.5, field_ink, true, 0, true};
     for (const Region region : all_regions) {
-        const std::string_view text = region_label(region);
+        const std::string_view text = region_label(region, unsmooth);
         const auto place =
             roomiest_place(frame.box, canvas.text_width(text, style), label_height, body.covers(region), obstacles);
         if (!place) continue;
@@ -75,11 +79,12 @@ Drawn draw(const StabilityMap& map, const std::string& description, const Fonts&
     const DrawnBody drawn = draw_body(canvas, frame, body, scale, map.title);
     Obstacles obstacles = drawn.obstacles;
     if (map.has_design) obstacles.boxes = draw_design(canvas, frame, map.design, obstacles);
-    draw_region_labels(canvas, frame, drawn, obstacles);
+    draw_region_labels(canvas, frame, drawn, unsmooth_end(map), obstacles);
     draw_axes(canvas, frame);
     draw_body_bar(canvas, frame.box, scale);
-    const double bottom = draw_legend(canvas, body_legend(canvas, {body}, map.has_design), frame.box.left,
-                                      frame.box.bottom() + axis_depth + 16, picture_width - frame.box.left - 16);
+    const double bottom =
+        draw_legend(canvas, body_legend(canvas, {body}, map.has_design, unsmooth_end(map)), frame.box.left,
+                    frame.box.bottom() + axis_depth + 16, picture_width - frame.box.left - 16);
     const int height = static_cast<int>(std::ceil(bottom)) + 6;
     return {canvas.svg(height, plain_text(map.title), description), "", picture_width, height, frame.box, {}};
 }

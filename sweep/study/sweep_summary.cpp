@@ -113,6 +113,11 @@ SweepSummary summarise(const Spec& spec, const ResultsFile& results)
         constexpr auto interpolation = static_cast<std::size_t>(DecisionPath::interpolation);
         if (paths.size() > interpolation) summary.interpolated = paths[interpolation];
     }
+    if (results.has("outcome")) {
+        const auto outcomes = results.count_codes("outcome");
+        constexpr auto held = static_cast<std::size_t>(Outcome::held);
+        if (outcomes.size() > held) summary.held = outcomes[held];
+    }
     const auto reasons = results.count_codes("reason");
     for (std::size_t code = 1; code < reasons.size(); ++code) {
         if (reasons[code] == 0) continue;

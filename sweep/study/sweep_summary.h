@@ -20,8 +20,9 @@ struct SweepSummary {
     std::optional<Multiples> multiples;  ///< of the first chart, where the sweep has more than two axes
     std::vector<Profile> profiles;       ///< of a sweep along one axis
     std::uint64_t points = 0;
-    std::uint64_t interpolated = 0;                         ///< rows whose motions were not computed
-    std::uint64_t undecided = 0;                            ///< rows with a reason
+    std::uint64_t interpolated = 0;  ///< rows whose motions were not computed
+    std::uint64_t undecided = 0;     ///< rows with a reason
+    std::uint64_t held = 0;          ///< rows that the stated disturbance leaves at rest for good
     std::vector<std::pair<Reason, std::uint64_t>> reasons;  ///< and the number of rows with it
     std::vector<std::pair<std::string, std::string>> provenance;
 };

@@ -6,6 +6,7 @@
 #include "analysis/simulation/flows/flow.h"
 #include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/points.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>
@@ -48,6 +49,26 @@ double side_of_outcome(Outcome outcome)
     }
 }
 
+/// Whether a motion that was watched for more turns could end otherwise: not where none could be followed, and not
+/// where the work ran out before the turns.
+bool more_turns_may_decide(const NonlinearVerdict& v)
+{
+    return v.outcome == Outcome::undecided && v.reason == Reason::not_converged && v.detail != Detail::limit_of_work;
+}
+
+/// Real loops; an undecided one was followed to the end of its turns or of its work.
+std::vector<double> sides_of_real_loops(std::span<const Joint* const> joints, NonlinearOptions options)
+{
+    auto verdicts = real_loop_verdicts(joints, options);
+    options.turn_limit *= patience;
+    std::vector<double> sides;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (more_turns_may_decide(verdicts[i])) verdicts[i] = nonlinear_verdict(*joints[i], options);
+        sides.push_back(side_of_outcome(verdicts[i].outcome));
+    }
+    return sides;
+}
+
 /// Many at once where lanes follow them, and only until the side is sure; close to the linear boundary motions creep,
 /// and one that is undecided is watched for longer.
 std::vector<double> simulated_sides(std::span<const Joint> joints, const Disturbance& disturbance)
@@ -57,10 +78,18 @@ std::vector<double> simulated_sides(std::span<const Joint> joints, const Disturb
     options.region = false;
     std::vector<double> sides(joints.size());
     lanes::sides(joints, options, sides);
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> open, real;
     std::vector<Joint> undecided_joints;
-    for (std::size_t i = 0; i < joints.size(); ++i)
-        if (std::isnan(sides[i])) open.push_back(i), undecided_joints.push_back(joints[i]);
+    std::vector<const Joint*> loops;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (!std::isnan(sides[i])) continue;
+        if (has_real_loop(joints[i]))
+            real.push_back(i), loops.push_back(&joints[i]);
+        else
+            open.push_back(i), undecided_joints.push_back(joints[i]);
+    }
+    const auto of_loops = sides_of_real_loops(loops, options);
+    for (std::size_t k = 0; k < real.size(); ++k) sides[real[k]] = of_loops[k];
     std::vector<PointResult> points(open.size());
     nonlinear_points(undecided_joints, options, points);
     options.turn_limit *= patience;
@@ -83,13 +112,18 @@ std::vector<double> outcome_sides(const std::vector<Joint>& joints, const Distur
     for (std::size_t i = 0; i < joints.size(); ++i)
         if (sides[i] == 0) open.push_back(i);
     if (is_start_from_near_rest(disturbance)) {
-        std::vector<Joint> undecided_joints;
-        for (const auto i : open) undecided_joints.push_back(joints[i]);
-        const auto found = coexistence(undecided_joints, parallel);
-        std::vector<std::size_t> left;
-        for (std::size_t k = 0; k < open.size(); ++k) {
-            sides[open[k]] = found[k] == 0 ? 1 : found[k];
-            if (std::isnan(found[k])) left.push_back(open[k]);
+        // the search for coexisting cycles pulls a real loop as well, which is another disturbance and another motion
+        std::vector<Joint> ideal;
+        std::vector<std::size_t> place, left;
+        for (const auto i : open)
+            if (has_real_loop(joints[i]))
+                left.push_back(i);
+            else
+                place.push_back(i), ideal.push_back(joints[i]);
+        const auto found = coexistence(ideal, parallel);
+        for (std::size_t k = 0; k < place.size(); ++k) {
+            sides[place[k]] = found[k] == 0 ? 1 : found[k];
+            if (std::isnan(found[k])) left.push_back(place[k]);
         }
         open = std::move(left);
     }

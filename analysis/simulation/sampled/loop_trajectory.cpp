@@ -3,6 +3,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/sampled/closed_loop/loop_mode.h"
 #include "analysis/simulation/sampled/closed_loop/loop_start.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
 #include <cmath>
@@ -24,7 +25,9 @@ std::complex<double> rate_of(const Joint& joint, double frame)
         SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
         if (loop.begin_steadily()) {
             const bool delayed = loop.motion.joint.has_delayed_friction();
-            const auto mode = delayed ? mode_by_theory(joint, loop.period()) : loop_mode(loop);
+            const auto root = real_root(joint, commanded_velocity(joint));
+            const bool by_theory = delayed || leaves_within_tick(root, loop.period());
+            const auto mode = by_theory ? mode_by_theory(root, loop.period()) : loop_mode(loop);
             if (mode.known() && std::abs(mode.rate()) > 0) return mode.rate();
         }
     }

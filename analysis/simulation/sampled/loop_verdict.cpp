@@ -150,18 +150,22 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     linear.motion.set_fixed_step(fixed_part * linear.period());
     if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, Detail::effort_limit);
     const bool delayed = linear.motion.joint.has_delayed_friction();
-    mode_ = delayed ? mode_by_theory(joint_, linear.period()) : loop_mode(linear);
+    const double V0 = commanded_velocity(joint_);
+    // the theory has no term for a push by the error
+    const bool has_theory = delayed || !joint_.control.feed_forward.by_error();
+    const auto root = has_theory ? real_root(joint_, V0) : std::complex<double>(missing, missing);
+    const bool by_theory = delayed || leaves_within_tick(root, linear.period());
+    mode_ = by_theory ? mode_by_theory(root, linear.period()) : loop_mode(linear);
     verdict_.growth_missing = mode_.why;
     verdict_.multiplier = mode_.multiplier;
     if (!mode_.known()) return refuse(Reason::not_converged, mode_.why);
-    const double V0 = commanded_velocity(joint_);
     const auto s = mode_.rate();
-    if (delayed)
+    if (by_theory)
         verdict_.growth_rate = s.real();
     else if (by == GrowthBy::motion)
         verdict_.growth_rate = measure_loop_growth(linear, mode_);
-    else  // the theory has no term for a push by the error
-        verdict_.growth_rate = joint_.control.feed_forward.by_error() ? s.real() : real_growth(joint_, V0, false);
+    else
+        verdict_.growth_rate = has_theory ? root.real() : s.real();
     const double measured = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
     if (!(std::abs(s) > 0) || std::abs(measured) < neutral_growth * std::abs(s)) return refuse(Reason::neutral, {});
     auto& options = follow_;

@@ -85,6 +85,7 @@ void tell(const Options& options, const SweepSummary& summary, double bound, con
                                     {"points", summary.points},
                                     {"computed", run.computed.points},
                                     {"undecided", summary.undecided},
+                                    {"held", summary.held},
                                     {"interpolated", summary.interpolated},
                                     {"results", absolute(run.results).string()},
                                     {"report", nullptr}};
@@ -97,6 +98,9 @@ void tell(const Options& options, const SweepSummary& summary, double bound, con
         if (summary.interpolated > 0)
             fmt::print("  {} interpolated to within {:.3g} % (nonlinear.interpolation; --every-point computes all)\n",
                        counted(summary.interpolated, "point"), 100 * bound);
+        if (summary.held > 0)
+            fmt::print("  {} at rest for good: the limits leave less effort than breaks static friction\n",
+                       counted(summary.held, "point"));
         for (const auto& [reason, count] : summary.reasons)
             fmt::print("  {}: {}\n", counted(count, "point"), reason_text(reason));
         fmt::print("results: {}\n", (std::filesystem::path(options.directory) / run_files::results).string());

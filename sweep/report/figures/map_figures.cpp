@@ -1,5 +1,6 @@
 #include "sweep/report/figures/map_figures.h"
 
+#include "analysis/results/rests.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/nonlinear_findings.h"
 #include "sweep/words/plain_text.h"
@@ -30,13 +31,17 @@ double share_of(const Slice& slice, std::initializer_list<Region> regions)
     return sum;
 }
 
-std::string design_words(const DesignPoint& design)
+/// `rests`: what does not slide on comes to rest for good.
+std::string design_words(const DesignPoint& design, bool rests)
 {
     if (design.region == Region::bistable)
-        return "The design is stable for small disturbances only: a larger one ends in stick-slip.";
+        return std::string("The design is stable for small disturbances only: a larger one ") +
+               (rests ? "leaves it at rest for good." : "ends in stick-slip.");
     if (design.region == Region::undecided) return "The design is undecided.";
     if (design.region == Region::neutral) return "The design is neutral: small disturbances neither decay nor grow.";
-    return design.spectral_abscissa < 0 ? "The design slides smoothly." : "The design sticks and slips.";
+    return design.spectral_abscissa < 0 ? "The design slides smoothly."
+           : rests                      ? "The design comes to rest for good."
+                                        : "The design sticks and slips.";
 }
 
 std::string held_words(const Slice& slice, Units units)
@@ -55,11 +60,11 @@ Figure outcome_figure(Units units, const Slice& slice, const MapAnswer& answer, 
     map.y = slice.y;
     map.name = reading.name;
     map.quantity = reading.quantity;
-    map.values = reading.values;
-    map.none = "no limit cycle was reached";
+    map.values = cycle_values(reading, rests_of(slice.readings));
+    map.none = none_reached(rests_of(slice.readings));
     double low = infinity, high = -infinity;
     std::size_t cycles = 0;
-    for (const double v : reading.values)
+    for (const double v : map.values)
         if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v), ++cycles;
     map.scale = low > 0 && high > 30 * low ? FieldMap::Scale::log : FieldMap::Scale::linear;
     const auto share = percent(static_cast<double>(cycles) / static_cast<double>(reading.values.size()));
@@ -138,7 +143,7 @@ StabilityMap stability_map(Units units, const Slice& slice, const MapAnswer& ans
     return map;
 }
 
-Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer)
+Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool design_rests)
 {
     Figure figure;
     auto map = stability_map(units, slice, answer);
@@ -150,7 +155,8 @@ Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer)
                      percent(share_of(slice, {Region::stable, Region::memory_only})) + " of the chart; on " + needless +
                      " of it only the model with memory predicts this, and on " + missed +
                      " the velocity-only model wrongly predicts smooth sliding. " +
-                     (bistable > 0 ? percent(bistable) + " is bistable. " : "") + design_words(map.design);
+                     (bistable > 0 ? percent(bistable) + " is bistable. " : "") +
+                     design_words(map.design, design_rests);
     figure.caption =
         "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Two models of the "
         "same friction are compared. Solid: boundary with memory (state-variable friction). Dashed: boundary of the "
@@ -174,10 +180,9 @@ std::vector<Figure> outcome_figures(Units units, const Slice& slice, const MapAn
 {
     std::vector<Figure> figures;
     for (const auto& reading : slice.readings) {
-        const bool any =
-            std::any_of(reading.values.begin(), reading.values.end(), [](double v) { return std::isfinite(v); });
-        if (!any) continue;
-        if (reading.column == "stick_fraction" && never_positive(reading.values)) {
+        const auto values = cycle_values(reading, rests_of(slice.readings));
+        if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); })) continue;
+        if (reading.column == "stick_fraction" && never_positive(values)) {
             if (!figures.empty()) figures.back().caption += " No cycle sticks: none falls below a hundredth of V_{0}.";
             continue;
         }

@@ -12,7 +12,7 @@ namespace stickslip {
 StabilityMap stability_map(Units units, const Slice& slice, const MapAnswer& answer);
 
 /// The stability map of a slice: regions, both boundaries, layers of a third axis, motions at a few nodes.
-Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer);
+Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool design_rests = false);
 
 /// Amplitude, period and time at rest of the limit cycles, where the sweep simulated its points.
 std::vector<Figure> outcome_figures(Units units, const Slice& slice, const MapAnswer& answer);

@@ -1,6 +1,7 @@
 #include "sweep/report/figures/profile_figures.h"
 
 #include "analysis/joint/parameters.h"
+#include "analysis/results/rests.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
@@ -67,7 +68,7 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
     std::vector<Figure> figures;
     for (const auto& kind : outcome_kinds)
         for (const auto& reading : profile.readings) {
-            const auto& values = reading.values;
+            const auto values = cycle_values(reading, rests_of(profile.readings));
             const auto cycles = std::count_if(values.begin(), values.end(), [](double v) { return !std::isnan(v); });
             if (reading.column != kind.column || cycles == 0) continue;
             LineChart chart;
@@ -90,7 +91,8 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
                 std::to_string(cycles) + " of " + std::to_string(values.size()) + " points; none elsewhere.";
             figures.push_back(line_figure(chart_id(kind.id, axis, axis), std::move(chart), finding,
                                           std::string(kind.meaning) + " " + followed_text(profile.readings) +
-                                              "; where the line ends, no limit cycle was reached."));
+                                              "; where the line ends, " + none_reached(rests_of(profile.readings)) +
+                                              "."));
         }
     return figures;
 }

@@ -86,11 +86,11 @@ std::vector<ComparedNumber> boundary_numbers(const SweepComparison& c)
 }
 
 /// How well off a design is, the worst first: the tone of a comparison follows whether that rises or falls.
-enum class Standing { stick_slip, undecided, neutral, bistable, stable };
+enum class Standing { rest, stick_slip, undecided, neutral, bistable, stable };
 
-Standing standing(Region region)
+Standing standing(const ComparedDesign& design)
 {
-    switch (region) {
+    switch (design.region) {
         case Region::stable:
         case Region::memory_only:
             return Standing::stable;
@@ -98,7 +98,7 @@ Standing standing(Region region)
             return Standing::bistable;
         case Region::velocity_only:
         case Region::unstable:
-            return Standing::stick_slip;
+            return design.rests ? Standing::rest : Standing::stick_slip;
         case Region::neutral:
             return Standing::neutral;
         case Region::undecided:
@@ -117,6 +117,8 @@ std::string verdict_words(Standing standing, bool simulated)
             return "bistable (stable under small disturbances only)";
         case Standing::stick_slip:
             return "in stick-slip";
+        case Standing::rest:
+            return "at rest for good";
         case Standing::neutral:
             return "neutral (small disturbances neither decay nor grow)";
         case Standing::undecided:
@@ -177,7 +179,7 @@ Report compare_report(const SweepComparison& c)
 
     const bool simulated = before.spec.nonlinear.enabled && after.spec.nonlinear.enabled;
     const bool nothing = same_maps && nothing_changed(numbers) && nothing_changed(boundaries);
-    add_verdict(report, standing(c.was.region), standing(c.is.region), nothing, simulated);
+    add_verdict(report, standing(c.was), standing(c.is), nothing, simulated);
     if (const auto* moved = largest_move(boundaries); moved && moved->before != moved->after) {
         report.verdict += " The " + moved->name + " moved by " + relative_change(moved->before, moved->after) +
                           ", to " + with_unit(moved->after, moved->quantity, units, 4) + ".";

@@ -1,5 +1,6 @@
 #include "sweep/report/pages/stability_report.h"
 
+#include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "sweep/report/figures/loop_figures.h"
 #include "sweep/report/figures/map_figures.h"
@@ -12,6 +13,7 @@
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -71,12 +73,17 @@ void add_alerts(Report& report, const SweepSummary& summary, const std::vector<c
     if (near)
         report.alerts.push_back(
             {Tone::warning, "The design lies within a factor of " + plain_number(near_factor) + " of its boundary."});
+    if (summary.held > 0)
+        report.alerts.push_back(
+            {Tone::warning, grouped(summary.held) + (summary.held == 1 ? " point comes" : " points come") +
+                                " to rest for good after the stated disturbance: the limits leave less effort "
+                                "than breaks static friction."});
     for (const auto& [reason, count] : summary.reasons)
         report.alerts.push_back({Tone::warning, grouped(count) + (count == 1 ? " point has" : " points have") +
                                                     " no verdict: " + reason_text(reason) + "."});
 }
 
-std::vector<std::string> not_checked(const Spec& spec)
+std::vector<std::string> not_checked(const Spec& spec, const LoopUse& loop)
 {
     std::vector<std::string> list;
     if (!spec.nonlinear.enabled)
@@ -88,9 +95,19 @@ std::vector<std::string> not_checked(const Spec& spec)
     list.push_back(
         "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of these "
         "verdicts.");
-    list.push_back("Sampling, saturation and quantisation of a digital loop.");
+    if (loop.kind == LoopKind::ideal) list.push_back("Sampling, saturation and quantisation of a digital loop.");
     list.push_back("Whether the parameters are those of your machine: compare records with stickslip diagnose.");
     return list;
+}
+
+/// A map whose design, where the chart goes through it, is told with what simulating it has shown.
+MapAnswer with_end(MapAnswer map, Joint joint, const Slice& slice, const JointAnswer& own)
+{
+    const bool through = std::ranges::all_of(
+        slice.held, [&](const Held& held) { return *find_parameter(joint, held.axis.path) == held.value; });
+    if (!through || own.nonlinear.outcome == Outcome::not_asked) return map;
+    map.design.region = own.region;
+    return map;
 }
 
 Section outcome_section(const Joint& joint, const SweepSummary& summary, const SweepAnswer& answer)
@@ -137,14 +154,15 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
                    : !spec.title.empty()      ? spec.title
                                               : "Where the joint slides smoothly";
     report.subtitle = subtitle(spec, joint, summary.points);
-    const auto verdict = design_verdict(joint, linear, own.region);
+    const bool rests = own.nonlinear.comes_to_rest();
+    const auto verdict = design_verdict(joint, linear, own.region, rests);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
-
     const auto& margins = answer.margins;
     Section maps{"maps", "Stability maps", "", {}, {}};
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
-        maps.figures.push_back(map_figure(units, summary.slices[i], answer.maps[i]));
+        maps.figures.push_back(
+            map_figure(units, summary.slices[i], with_end(answer.maps[i], joint, summary.slices[i], own), rests));
     std::vector<const StabilityMap*> drawn;
     for (const auto& figure : maps.figures) drawn.push_back(&std::get<StabilityMap>(figure.picture));
 
@@ -161,9 +179,9 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
         report.headlines.push_back(undecided_headline(summary));
     if (own.region == Region::bistable)
         report.alerts.push_back(
-            {Tone::warning,
-             "Margins and velocities are for small disturbances: a larger one ends in stick-slip in the "
-             "whole dotted region of the map."});
+            {Tone::warning, std::string("Margins and velocities are for small disturbances: a larger one ") +
+                                (rests ? "leaves the joint at rest for good."
+                                       : "ends in stick-slip in the whole dotted region of the map.")});
     add_alerts(report, summary, drawn, slides && stable && near_boundary(margins));
 
     if (summary.multiples) maps.figures.push_back(multiples_figure(*summary.multiples, *answer.panels, units));
@@ -180,7 +198,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     report.sections.push_back(design_section(spec, joint, answer));
     for (auto& section : linear_sections(joint, own.details)) report.sections.push_back(std::move(section));
 
-    report.not_checked = not_checked(spec);
+    report.not_checked = not_checked(spec, linear.loop);
     report.provenance = summary.provenance;
     return report;
 }

@@ -18,7 +18,11 @@ ComparedDesign design_of(const ComparedRun& run, const std::vector<Axis>& axes)
     design.verdict = linear_verdict(design.joint);
     PointResult row = linear_point(design.joint);
     const auto& nonlinear = run.spec.nonlinear;
-    if (nonlinear.enabled) write_nonlinear(nonlinear_verdict(design.joint, nonlinear_options(nonlinear)), row);
+    if (nonlinear.enabled) {
+        const auto verdict = nonlinear_verdict(design.joint, nonlinear_options(nonlinear));
+        write_nonlinear(verdict, row);
+        design.rests = verdict.comes_to_rest();
+    }
     design.region = row.region;
     for (const auto& axis : axes) design.margins.push_back(margin_along(design.joint, axis));
     return design;

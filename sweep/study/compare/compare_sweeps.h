@@ -24,6 +24,7 @@ struct ComparedDesign {
     Joint joint;
     LinearVerdict verdict;
     Region region = Region::undecided;  ///< answers to large disturbances included where the run simulated them
+    bool rests = false;                 ///< what does not slide on comes to rest for good, where it was simulated
     std::vector<Margin> margins;        ///< along the axes of the first sweep
 };
 

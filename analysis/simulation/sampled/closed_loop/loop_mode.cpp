@@ -17,7 +17,8 @@ constexpr std::size_t most_states = 400;     ///< whose multipliers are worth th
 constexpr std::size_t most_on_the_way = 60;  ///< commands that are states of a matrix; more stand aside as a dead time
 constexpr double difference = 1e-4;          ///< of a state's scale, on both sides
 constexpr double probe = 1e-4;               ///< of the scale: small beside what bends the motion
-constexpr long most_window = 20'000;         ///< ticks
+constexpr double most_growth = 5;     ///< ln of that of a mode within a tick: what differences still are small by
+constexpr long most_window = 20'000;  ///< ticks
 
 /// What counts as a change of order one of each entry of SampledLoop::state().
 std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)
@@ -69,7 +70,7 @@ Vector after_tick(SampledLoop& loop, const Vector& state)
 
 std::complex<double> LoopMode::rate() const
 {
-    const auto s = std::log(multiplier) / period;
+    const auto s = std::isfinite(std::abs(root)) ? root : std::log(multiplier) / period;
     return {s.real(), std::abs(s.imag())};
 }
 
@@ -199,12 +200,18 @@ void find_in_matrix(TickMap& map, std::size_t n, LoopMode& mode)
 
 }  // namespace
 
-LoopMode mode_by_theory(const Joint& joint, double period)
+bool leaves_within_tick(std::complex<double> root, double period)
+{
+    return root.real() * period > most_growth;
+}
+
+LoopMode mode_by_theory(std::complex<double> root, double period)
 {
     LoopMode mode;
     mode.period = period;
-    mode.multiplier = std::exp(real_root(joint, commanded_velocity(joint)) * period);
-    if (!mode.known()) mode.why = Detail::growth_unmeasured;
+    mode.root = root;
+    mode.multiplier = std::exp(root * period);
+    if (!mode.known()) mode.why = std::isinf(root.real()) ? Detail::leaves_within_tick : Detail::growth_unmeasured;
     return mode;
 }
 

@@ -9,13 +9,14 @@ namespace stickslip {
 /// The multiplier of largest magnitude of the map from tick to tick, taken by differences of simulated ticks, and its
 /// eigenvectors over SampledLoop::state().
 struct LoopMode {
-    std::complex<double> multiplier{missing, missing};
+    std::complex<double> multiplier{missing, missing};  ///< infinite where a tick lets the mode grow beyond all numbers
+    std::complex<double> root{missing, missing};        ///< s, where the theory told it and not the multiplier [1/s]
     std::vector<std::complex<double>> left, right;
     std::vector<double> steady;
     double period = missing;    ///< of the loop
     Detail why = Detail::none;  ///< why there is none
 
-    bool known() const { return std::isfinite(std::abs(multiplier)); }
+    bool known() const { return std::isfinite(std::abs(multiplier)) || std::isfinite(std::abs(root)); }
     /// s of z = e^{sT}, in the upper half plane.
     std::complex<double> rate() const;
     /// Over which a growth is measured: one turn, or a factor of 3 if that comes first; whole ticks.
@@ -23,8 +24,11 @@ struct LoopMode {
 };
 
 /// The same from the linear theory, without vectors: the past of delayed friction is no state that could be
-/// differenced.
-LoopMode mode_by_theory(const Joint& joint, double period);
+/// differenced, and what leaves steady sliding within a tick is no small motion at its end.
+LoopMode mode_by_theory(std::complex<double> root, double period);
+
+/// Whether a disturbance that is small at a tick has left the linear motion before the next.
+bool leaves_within_tick(std::complex<double> root, double period);
 
 /// `loop` must be under fixed steps and slide steadily.
 LoopMode loop_mode(SampledLoop& loop);

@@ -213,7 +213,8 @@ bool LoopFollower::waits_for_integral(const LoopTurn& turn) const
 std::optional<LoopEnd> LoopFollower::decide()
 {
     const auto& last = turns_.back();
-    if (speed_of(last, V0_) < smallest_turn) return ended(LoopEnd::Kind::steady);
+    // a displacement that has not yet reached the link of an unstable joint is no end
+    if (speed_of(last, V0_) < smallest_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
     if (decays_linearly()) return ended(LoopEnd::Kind::steady);
     if (repeats_evenly()) return measured(LoopEnd::Kind::cycle, 2 * short_block);
     if (turns_.size() < skip_ + 2 * block || (turns_.size() - skip_) % block != 0) return {};

@@ -65,14 +65,19 @@ std::string cause_words(const DiagnosisComparison& c)
 
 std::string moved_words(const DiagnosisComparison& c)
 {
+    constexpr std::size_t most = 3;  // parameters in a sentence, the largest changes; the table has all
     std::string text;
     bool any = false;
+    std::size_t moved = 0;
     for (const auto& change : c.numbers) {
         any |= change.in_both();
         if (!change.moved(standard_errors_of_a_move)) continue;
         const bool beside = change.of == FoundNumber::Of::correction && !c.kept.empty();
-        if (!beside && is_reported(change, c)) text += " " + change_text(change) + ".";
+        if (beside || !is_reported(change, c)) continue;
+        if (moved++ < most) text += " " + change_text(change) + ".";
     }
+    if (moved > most)
+        text += " " + counted(moved - most, "more parameter") + " changed by more than 3 standard errors.";
     if (!text.empty() || !any) return text;
     for (const auto& change : c.numbers)
         if (change.moved(standard_errors_of_a_move)) return " " + change_text(change) + ".";

@@ -122,7 +122,7 @@ Table runs_table(const Timeline& t, CellMarks& marks)
 {
     Table table{"Runs",
                 {"date", "outcome", "gap as documented", "gap with the cause", "causes",
-                 "parameters that changed since the previous run"},
+                 "parameters of causes that changed since the previous run"},
                 {}};
     for (std::size_t i = 0; i < t.runs.size(); ++i) {
         const auto& facts = t.runs[i].facts;

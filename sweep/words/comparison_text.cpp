@@ -14,7 +14,7 @@ namespace {
 
 using Kind = GapRegression::Kind;
 
-std::string floors(double gap)
+std::string size_of_gap(double gap)
 {
     return plain_number(gap, 3) + " times the noise floor";
 }
@@ -49,7 +49,7 @@ std::string gap_words(const DiagnosisComparison& c)
     const char* verb = c.gap == GapChange::same    ? "is as large as before"
                        : c.gap == GapChange::grown ? "grew"
                                                    : "shrank";
-    return fmt::format("The gap {}: {} before, {} now.", verb, floors(was.before), floors(is.before));
+    return fmt::format("The gap {}: {} before, {} now.", verb, size_of_gap(was.before), size_of_gap(is.before));
 }
 
 std::string cause_words(const DiagnosisComparison& c)
@@ -104,7 +104,8 @@ std::string outcome_name(const DiagnosisFacts& facts)
 
 std::string outcome_words(const DiagnosisFacts& facts)
 {
-    return outcome_name(facts) + (facts.differs() && !facts.interrupted ? ", " + floors(facts.overall.before) : "");
+    return outcome_name(facts) +
+           (facts.differs() && !facts.interrupted ? ", " + size_of_gap(facts.overall.before) : "");
 }
 
 std::string change_text(const NumberChange& c)
@@ -134,9 +135,10 @@ std::string regression_text(const GapRegression& r, const DiagnosisComparison& c
         case Kind::new_gap:
             return "a gap that the baseline does not have: " + outcome_words(c.after);
         case Kind::grown:
-            return fmt::format("the gap grew from {} to {}", floors(was.before), floors(is.before));
+            return fmt::format("the gap grew from {} to {}", size_of_gap(was.before), size_of_gap(is.before));
         case Kind::remainder:
-            return fmt::format("what the named cause leaves grew from {} to {}", floors(was.after), floors(is.after));
+            return fmt::format("what the named cause leaves grew from {} to {}", size_of_gap(was.after),
+                               size_of_gap(is.after));
         case Kind::new_cause:
             return "a cause that the baseline does not name: " + r.name;
         case Kind::number_moved:

@@ -14,8 +14,8 @@
 namespace stickslip::guarantee {
 namespace {
 
-/// What the cause makes, as a multiple of what the rest of the machine makes (two noise floors at least): as in the
-/// dirty blind cases of tests/blind. Less is no cause of the gap but one of the things that a document is off by.
+/// What the cause makes, as a multiple of what the rest of the machine makes (at least twice the noise floor): as in
+/// the dirty blind cases of tests/blind. Less is no cause of the gap but one of the things that a document is off by.
 constexpr double least_multiple = 1.5, most_multiple = 4, least_rest = 2;
 /// By how much documents of machines are off.
 constexpr double least_off = 0.02, most_off = 0.1;
@@ -106,7 +106,7 @@ struct Squares {
     }
 };
 
-/// In noise floors: by how much the loop of `with` misses that of `without`; what noise alone makes is 1.
+/// By how much the loop of `with` misses that of `without`, as a multiple of the noise floor.
 double gap_between(const std::vector<Joint>& without, const std::vector<Joint>& with,
                    const std::vector<Record>& records)
 {

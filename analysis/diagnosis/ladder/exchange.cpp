@@ -114,6 +114,40 @@ FittedSet Climber::flexed(FittedSet set)
     return set;
 }
 
+std::vector<Start> Climber::parts_of(const FittedSet& set, std::size_t member) const
+{
+    const FittedSet others = unfitted_without(set, member);
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+    const Eigen::VectorXd own = set.of_causes(set.fit.x);
+    std::vector<Start> starts;
+    for (const auto& part : set.causes.forms[member]->parts) {
+        const Effect* effect = effect_named(part.effect);
+        const EffectForm* form = &*std::ranges::find(effect->forms, part.form, &EffectForm::name);
+        const auto count = static_cast<Eigen::Index>(set.causes.count_of(*form));
+        const Eigen::VectorXd numbers = own.segment(at, count);
+        at += count;
+        if (std::ranges::count(others.causes.effects, effect) > 0) continue;
+        Candidate causes = others.causes;
+        const Eigen::VectorXd x = insert(causes, effect, form, others.of_causes(others.fit.x), numbers);
+        starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
+    }
+    return starts;
+}
+
+FittedSet Climber::without_idle_parts(FittedSet set)
+{
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const auto tried = judged(parts_of(set, i));
+        const auto part = std::ranges::find_if(tried, [](const FittedSet& t) { return t.plausible && !t.correction; });
+        if (part == tried.end() || earns(*part, set, rules_)) continue;
+        // no rival either: the two were held against each other
+        std::erase_if(pool_, [&](const FittedSet& s) { return s.causes.forms == set.causes.forms; });
+        set = *part;
+    }
+    return set;
+}
+
 std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size_t member) const
 {
     const Effect& effect = *set.causes.effects[member];

@@ -333,6 +333,18 @@ TEST_CASE("a Stribeck peak of another shape than the catalogue's is one cause", 
     CHECK(beyond_noise(ladder.last().all_left()) < 0.003 * beyond_noise(ladder.corrected.all_left()));
 }
 
+TEST_CASE("a curve that is followed late by less than can be told is a curve, and the late one is no rival of it",
+          "[gap][ladder][slow]")
+{
+    Machine m;
+    m.peak = 1;
+    const Search search(m, {"frictional-memory:lag"});
+    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
+    CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"stribeck"});
+    for (const auto& rivals : ladder.rivals)
+        for (const auto& r : rivals) CHECK(names_of(r.causes) != std::vector<std::string>{"frictional-memory"});
+}
+
 TEST_CASE("a divided mass on a spring that hardens is found by its stiffness at small stretches", "[gap][slow]")
 {
     Machine m;

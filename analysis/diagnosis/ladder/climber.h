@@ -65,8 +65,8 @@ class Climber {
     FittedSet flexed(FittedSet set);
 
     /// The set with one part of a form of two in the form's place, where the other part earns nothing: a curve that is
-    /// followed late by less than can be told is a curve.
-    FittedSet without_idle_parts(FittedSet set);
+    /// followed late by less than can be told is a curve. With both, where they are distinguished from the form.
+    FittedSet in_parts(FittedSet set);
 
     /// The set without one of its causes.
     FittedSet without(const FittedSet& set, std::size_t member) const;
@@ -101,7 +101,7 @@ class Climber {
     /// Where a set may start with the flexible member of one of its causes: from the shape it has, and, of a wave whose
     /// second harmonic may have been taken for the first, from a wave of twice the length.
     std::vector<Start> with_flexible_member(const FittedSet& set, std::size_t member) const;
-    /// Every part of one of its causes' forms alone, from the numbers of the form.
+    /// Every part of one of its causes' forms alone, from the numbers of the form, and behind them all together.
     std::vector<Start> parts_of(const FittedSet& set, std::size_t member) const;
     /// Whether this cause was judged before, and not yet in the place of the one that the set has beside `below`.
     bool worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const;

@@ -119,31 +119,47 @@ std::vector<Start> Climber::parts_of(const FittedSet& set, std::size_t member) c
     const FittedSet others = unfitted_without(set, member);
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-    const Eigen::VectorXd own = set.of_causes(set.fit.x);
+    const Eigen::VectorXd own = set.of_causes(set.fit.x), of_others = others.of_causes(others.fit.x);
     std::vector<Start> starts;
+    const auto add = [&](const Candidate& causes, const Eigen::VectorXd& x) {
+        starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
+    };
+    Candidate all = others.causes;
+    Eigen::VectorXd of_all = of_others;
     for (const auto& part : set.causes.forms[member]->parts) {
         const Effect* effect = effect_named(part.effect);
+        if (std::ranges::count(others.causes.effects, effect) > 0) return {};
         const EffectForm* form = &*std::ranges::find(effect->forms, part.form, &EffectForm::name);
         const auto count = static_cast<Eigen::Index>(set.causes.count_of(*form));
         const Eigen::VectorXd numbers = own.segment(at, count);
         at += count;
-        if (std::ranges::count(others.causes.effects, effect) > 0) continue;
-        Candidate causes = others.causes;
-        const Eigen::VectorXd x = insert(causes, effect, form, others.of_causes(others.fit.x), numbers);
-        starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
+        Candidate alone = others.causes;
+        const Eigen::VectorXd x = insert(alone, effect, form, of_others, numbers);
+        add(alone, x);
+        of_all = insert(all, effect, form, of_all, numbers);
     }
+    if (!starts.empty()) add(all, of_all);
     return starts;
 }
 
-FittedSet Climber::without_idle_parts(FittedSet set)
+FittedSet Climber::in_parts(FittedSet set)
 {
     for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const std::size_t causes = set.causes.effects.size();
         const auto tried = judged(parts_of(set, i));
-        const auto part = std::ranges::find_if(tried, [](const FittedSet& t) { return t.plausible && !t.correction; });
-        if (part == tried.end() || earns(*part, set, rules_)) continue;
-        // no rival either: the two were held against each other
-        std::erase_if(pool_, [&](const FittedSet& s) { return s.causes.forms == set.causes.forms; });
-        set = *part;
+        const auto stands = [](const FittedSet& t) { return t.plausible && !t.correction; };
+        const auto alone = std::ranges::find_if(
+            tried, [&](const FittedSet& t) { return stands(t) && t.causes.effects.size() == causes; });
+        const auto both = std::ranges::find_if(
+            tried, [&](const FittedSet& t) { return stands(t) && t.causes.effects.size() > causes; });
+        if (alone != tried.end() && !earns(*alone, set, rules_)) {
+            // no rival either: the two were held against each other
+            std::erase_if(pool_, [&](const FittedSet& s) { return s.causes.forms == set.causes.forms; });
+            set = *alone;
+        } else if (both != tried.end() && causes < rules_.most_rungs &&
+                   both->misfit < set.misfit - margin_of(*both, rules_)) {
+            set = *both;
+        }
     }
     return set;
 }

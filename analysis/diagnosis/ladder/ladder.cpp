@@ -185,7 +185,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             set = in_best_forms(nearest_of(tried, *next));
         else
             break;
-        set = with_an_exchange(climber_->without_idle_parts(without_idle(std::move(set))));
+        set = with_an_exchange(climber_->in_parts(without_idle(std::move(set))));
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return set;

@@ -17,11 +17,13 @@ Effect delay()
             {"time", Quantity::time, Scale::tick, false, 0, 60, 2, "additional dead time between command and effort"},
         };
         f.apply = [](Joint& j, const double* p) { j.control.delay += p[0]; };
+        f.parameters[0].jumps = true;
         for (int ticks = 0; ticks < 25; ++ticks) f.seeds.push_back({ticks + 0.5});
         e.forms.push_back(f);
         // round the loop the two are one: what tells them apart is whether the logged effort is late, too
         f.name = "of-the-reading";
         f.parameters[0].help = "additional dead time of the position's reading";
+        f.parameters[0].jumps = false;
         f.apply = [](Joint& j, const double* p) { j.sensor.delay += p[0]; };
         e.forms.push_back(f);
     }

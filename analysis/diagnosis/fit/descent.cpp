@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stickslip::gap {
 namespace {
@@ -38,6 +39,8 @@ class Descent {
             if (parameter(i).vanishes) came_from_[i] = 0;
         best_ = at_;
     }
+
+    double objective() const { return at_.evaluation.objective; }
 
     LevelFit run(int iterations)
     {
@@ -191,12 +194,39 @@ class Descent {
     int age_ = 0;  ///< steps since all slopes were found
 };
 
+/// On the other side of the nearest whole unit; nothing where the number is far from one.
+std::optional<double> across_a_jump(double x)
+{
+    constexpr double just_behind = 0.02, near = 0.25;
+    const double whole = std::round(x);
+    if (x == whole || std::abs(x - whole) > near) return {};
+    return x > whole ? whole : whole + just_behind;
+}
+
 }  // namespace
 
 LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
                        Eigen::VectorXd x, double omega, int iterations, const Kept& kept)
 {
-    return Descent(cases, candidate, scales, std::move(x), omega, kept).run(iterations);
+    LevelFit fit = Descent(cases, candidate, scales, std::move(x), omega, kept).run(iterations);
+    for (std::size_t i = 0; i < candidate.parameter_count() && iterations > 1; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        if (!candidate.parameter(i).jumps || (!kept.empty() && kept[i])) continue;
+        const auto other = across_a_jump(fit.x[at]);
+        if (!other) continue;
+        // slopes do not lead across: from there the others go on beside it
+        Kept beside = kept.empty() ? Kept(candidate.parameter_count(), 0) : kept;
+        beside[i] = 1;
+        Eigen::VectorXd there = fit.x;
+        there[at] = *other;
+        Descent descent(cases, candidate, scales, there, omega, beside);
+        ++fit.evaluations;
+        if (!(descent.objective() < fit.evaluation.objective)) continue;
+        const int before = fit.evaluations;
+        fit = descent.run(iterations);
+        fit.evaluations += before;
+    }
+    return fit;
 }
 
 }  // namespace stickslip::gap

@@ -76,6 +76,8 @@ struct EffectParameter {
     std::string_view help;
     FrequencyGrid grid = FrequencyGrid::none;
     bool vanishes = false;  ///< a change from 0; beyond some value nothing is left of what it changes
+    /// The misfit jumps at whole units: an effort that arrives just behind a tick is not yet in the row of that tick.
+    bool jumps = false;
 };
 
 /// A form of the catalogue by its names.

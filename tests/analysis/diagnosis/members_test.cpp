@@ -99,6 +99,24 @@ TEST_CASE("a descent finds back from where friction has been taken away altogeth
     CHECK(fit.evaluation.records[0].position < 1.1);
 }
 
+TEST_CASE("a dead time of whole ticks is found from just behind them, where the row shows the command before", "[gap]")
+{
+    test::Machine m;
+    m.effort_noise = 0.05;
+    std::vector<Note> notes;
+    std::vector<Case> cases{prepare(test::record_of(m, 1, 4), test::nominal_joint(), notes)};
+    Ticks& t = cases[0].ticks;
+    const Candidate delay = of({"delay"});
+    const Scales scales = scales_of(cases);
+    const Joint late = edited(cases[0].joint, delay, {0.003}, 0);
+    const Trace trace = simulate_closed_loop(flatten(late), t, 5);
+    t.position = trace.position, t.velocity = trace.velocity, t.command = trace.command, t.effort = trace.effort;
+    const double tick = unit_of(Scale::tick, scales);
+    const auto fit = descend(cases, delay, scales, to_fit(delay, {0.00301 / tick}), levels[1], 12);
+    CHECK(in_si(delay, fit.x, scales)[0] == Approx(0.003).epsilon(1e-4));
+    CHECK(fit.evaluation.records[0].effort < 1.1);
+}
+
 TEST_CASE("a soft spring is found although springs too stiff to be seen miss by less than others as soft", "[gap]")
 {
     test::Machine m;

@@ -20,6 +20,8 @@ Effect stribeck()
         };
         f.apply = [](Joint& j, const double* p) { set_stribeck(main_friction(j), p[0], p[1], 2); };
         f.seeds = {{0.1, 0.03}, {0.1, 0.3}};
+        // a peak that hardly falls over the speeds of the records
+        f.parts = {{"coulomb-level", ""}};
         e.forms.push_back(f);
     }
     {
@@ -31,6 +33,7 @@ Effect stribeck()
         };
         f.apply = [](Joint& j, const double* p) { set_stribeck(main_friction(j), p[0], p[1], 1); };
         f.seeds = {{0.1, 0.1}};
+        f.parts = {{"coulomb-level", ""}};
         e.forms.push_back(f);
     }
     {
@@ -44,6 +47,7 @@ Effect stribeck()
         };
         f.apply = [](Joint& j, const double* p) { set_stribeck(main_friction(j), p[0], p[1], p[2]); };
         f.seeds = {{0.1, 0.1, 0.7}};
+        f.parts = {{"coulomb-level", ""}};
         e.forms.push_back(f);
     }
     return e;

@@ -95,8 +95,8 @@ struct EffectForm {
     bool (*applies)(const Joint& nominal) = nullptr;                  ///< null: always
     std::size_t own = 0;  ///< the last so many parameters have a value of their own in every record
     bool rough = false;   ///< the misfit is jagged in its parameters: search before descending
-    /// Two forms that have its parameters between them, in this order, and with them come near it: what looks like this
-    /// form alone may be those two.
+    /// Forms that have its first parameters between them, in this order, and with them come near it. What looks like
+    /// this form may be one of them; or, of two, both.
     std::vector<FormName> parts{};
     /// Effects whose motion is the very same as one that this form makes with fewer parameters, and that joints do
     /// have: friction whose level alone differs by direction, a base that is tilted.

@@ -19,11 +19,15 @@ bool worse_in_no_fold(const FittedSet& without, const FittedSet& with, const Lad
 
 }  // namespace
 
+double least_gain(const FittedSet& with, const LadderRules& rules)
+{
+    return std::max(rules.worth_a_rung, margin_of(with, rules));
+}
+
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
     const double left = beyond_noise(without.all_left()), now = beyond_noise(with.all_left());
-    const double beyond = std::max(rules.worth_a_rung, margin_of(with, rules));
-    return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > beyond &&
+    return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > least_gain(with, rules) &&
            left - now > rules.of_the_rest * left;
 }
 

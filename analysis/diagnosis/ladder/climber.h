@@ -64,8 +64,9 @@ class Climber {
     /// earn a rung: what only differs in shape from the catalogue's formula belongs to the cause, not to another one.
     FittedSet flexed(FittedSet set);
 
-    /// The set with one part of a form of two in the form's place, where the other part earns nothing: a curve that is
-    /// followed late by less than can be told is a curve. With both, where they are distinguished from the form.
+    /// The set with one part of a form in the form's place, where the rest of it gains nothing: a curve that is
+    /// followed late by less than can be told is a curve. With all of its parts, where they are distinguished from the
+    /// form.
     FittedSet in_parts(FittedSet set);
 
     /// The set without one of its causes.

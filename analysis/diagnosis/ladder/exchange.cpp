@@ -138,7 +138,7 @@ std::vector<Start> Climber::parts_of(const FittedSet& set, std::size_t member) c
         add(alone, x);
         of_all = insert(all, effect, form, of_all, numbers);
     }
-    if (!starts.empty()) add(all, of_all);
+    if (starts.size() > 1) add(all, of_all);
     return starts;
 }
 
@@ -152,7 +152,7 @@ FittedSet Climber::in_parts(FittedSet set)
             tried, [&](const FittedSet& t) { return stands(t) && t.causes.effects.size() == causes; });
         const auto both = std::ranges::find_if(
             tried, [&](const FittedSet& t) { return stands(t) && t.causes.effects.size() > causes; });
-        if (alone != tried.end() && !earns(*alone, set, rules_)) {
+        if (alone != tried.end() && alone->misfit - set.misfit < least_gain(set, rules_)) {
             // no rival either: the two were held against each other
             std::erase_if(pool_, [&](const FittedSet& s) { return s.causes.forms == set.causes.forms; });
             set = *alone;

@@ -62,6 +62,9 @@ struct Ladder {
 /// large as what the better one leaves beyond the noise, noise itself as the rows allow.
 double margin_of(const FittedSet& better, const LadderRules& rules);
 
+/// By how much of misfit a set has to beat one of fewer numbers.
+double least_gain(const FittedSet& with, const LadderRules& rules);
+
 /// Whether the causes beyond those of `without` earn their place.
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
 

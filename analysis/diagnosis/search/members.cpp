@@ -20,7 +20,7 @@ Attribution member_of(const Attribution& pair, std::size_t member)
     return alone;
 }
 
-/// The two forms that come near this one, together; nothing of a form that is no two.
+/// The two forms that come near this one, together; nothing of a form without two.
 std::optional<Candidate> parts_of(const Attribution& single)
 {
     Candidate pair;
@@ -30,7 +30,7 @@ std::optional<Candidate> parts_of(const Attribution& single)
         pair.effects.push_back(effect);
         pair.forms.push_back(&*std::ranges::find(effect->forms, part.form, &EffectForm::name));
     }
-    if (pair.effects.empty()) return {};
+    if (pair.effects.size() < 2) return {};
     return pair;
 }
 

@@ -62,12 +62,13 @@ void hold_ladder_against_free_forces(const Fit& fit, const StageProgress& progre
 }
 
 /// What explains to within noise with the document's numbers as they are is the answer, with a ladder of its own
-/// causes.
+/// causes; unless beside corrections a part of it does as well, which then is.
 void tell_accepted(LadderSearch& search, const Fit& fit, Findings& f)
 {
     f.judged.ladder = search.of(*f.decision.winner);
     judge(f.judged, search.data(), fit);
     f.climbed = true;
+    f.by_ladder = f.judged.ladder.last().causes.effects != f.decision.winner->candidate.effects;
 }
 
 /// Whether corrections leave no more than the joint's own noise makes, or than the cause does, which simulates unseen

@@ -1,6 +1,7 @@
 // Ladders climbed on records of a small machine, and what is judged of them.
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/ladder/climber.h"
+#include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
@@ -43,11 +44,23 @@ struct Search {
             cases.push_back(prepare(r, test::nominal_joint(), notes));
             cases.back().number = cases.size() - 1;
         }
+        begin(causes);
+    }
+    /// Anew with records that this joint would have logged in their place.
+    void simulate(const Joint& joint, std::initializer_list<const char*> causes)
+    {
+        for (auto& c : cases) {
+            const Trace trace = simulate_closed_loop(flatten(joint), c.ticks, c.number + 1);
+            c.ticks.position = trace.position, c.ticks.velocity = trace.velocity, c.ticks.command = trace.command;
+        }
+        singles.clear();
+        begin(causes);
+    }
+    void begin(std::initializer_list<const char*> causes)
+    {
         scales = scales_of(cases);
         nominal = judge_nominal(cases);
-        for (const char* name : causes) {
-            singles.push_back(single(name));
-        }
+        for (const char* name : causes) singles.push_back(single(name));
         search = std::make_unique<LadderSearch>(Fit{cases, scales, nominal, test::in_order}, singles, policy::ladder);
     }
     /// A cause of the catalogue in its first form, "stribeck", or in the one behind a colon.
@@ -343,6 +356,34 @@ TEST_CASE("a curve that is followed late by less than can be told is a curve, an
     CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"stribeck"});
     for (const auto& rivals : ladder.rivals)
         for (const auto& r : rivals) CHECK(names_of(r.causes) != std::vector<std::string>{"frictional-memory"});
+}
+
+TEST_CASE("a falling curve, all of it followed late, is two causes; what falls late beside a slope that does not, one",
+          "[gap][ladder][slow]")
+{
+    for (const bool whole : {true, false}) {
+        INFO((whole ? "the whole curve is late" : "the peak alone is late"));
+        Search search(Machine{}, {});
+        Joint late = test::nominal_joint();
+        set_stribeck(late.friction, 1, 0.05, 2);
+        late.friction.memory.lag = 0.05, late.friction.memory.lag_viscous = whole;
+        search.simulate(late, {"frictional-memory:lag"});
+        const auto names = names_of(search.search->climb({}, policy::ladder.most_rungs).last().causes);
+        const std::vector<std::string> both{"stribeck", "frictional-memory"};
+        CHECK(names == (whole ? both : std::vector<std::string>{"frictional-memory"}));
+    }
+}
+
+TEST_CASE("a peak that hardly falls over the speeds of the records is a Coulomb level, beside numbers that are off",
+          "[gap][ladder]")
+{
+    Machine m;
+    m.coulomb = 2.6, m.viscous = 1.5 * 0.96, m.inertia = 1.2 * 0.96;
+    const Search search(m, {});
+    Attribution peak = search.single("stribeck:gaussian");
+    peak.x.fill(to_fit(peak.candidate, {0.6 / unit_of(Scale::friction_effort, search.scales), 3}));
+    const auto ladder = search.search->of(peak);
+    CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"coulomb-level"});
 }
 
 TEST_CASE("a divided mass on a spring that hardens is found by its stiffness at small stretches", "[gap][slow]")

@@ -74,7 +74,7 @@ class Climber {
 
     /// Of the causes of a set the one without which least is lost goes last, and so on down. Without a cause its number
     /// is as documented: where its correction came back and took most of the cause's place, the gap would not be the
-    /// cause's.
+    /// cause's. Where corrections stand in for it, they stay as they are beside it.
     std::vector<FittedSet> in_order(FittedSet set) const;
 
     /// Other sets of as many causes as this one that hold all causes of the one below it, best first. What stands in
@@ -93,6 +93,8 @@ class Climber {
     /// A divided mass in its plain form, with no numbers to start from: beside a larger cause, or numbers of the
     /// document that were off, it came nearest alone in another form, or with a spring so stiff that nothing moved.
     std::vector<Start> divided_anew(const FittedSet& below) const;
+    /// Misfit without one of the causes, with everything else as it is.
+    double misfit_held(const FittedSet& set, std::size_t member) const;
     /// Misfit of a set with the number that this effect changes as documented, if a correction of it is in the set.
     double misfit_as_documented(const FittedSet& set, const Effect& effect) const;
     /// On top of these causes, before a first look.

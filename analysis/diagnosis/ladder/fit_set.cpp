@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/ladder/fit_set.h"
 
 #include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
@@ -8,6 +9,7 @@
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace stickslip::gap {
@@ -40,6 +42,15 @@ std::vector<Window> FittedSet::all_left() const
     std::vector<Window> all;
     for (const auto& fold : left) all.insert(all.end(), fold.begin(), fold.end());
     return all;
+}
+
+double FittedSet::deviations() const
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < model.numbers; ++i)
+        if (const double sd = model.candidate.sd_of(i); sd > 0)
+            sum += std::pow((fit.x[static_cast<Eigen::Index>(i)] - prior_mean(model.candidate, i)) / sd, 2);
+    return sum;
 }
 
 void SetFitter::renew()
@@ -146,6 +157,15 @@ FittedSet SetFitter::fit_without(const FittedSet& set, std::size_t correction) c
     return fit_folds(std::move(model), set.causes, std::move(found), Waves::stay);
 }
 
+void SetFitter::judge(FittedSet& set) const
+{
+    const Candidate& c = set.model.candidate;
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
+    set.misfit =
+        mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
+        policy::price_of_parameter * static_cast<double>(set.causes.effects.empty() ? 0 : set.causes.parameter_count());
+}
+
 FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const
 {
     FittedSet set;
@@ -153,15 +173,11 @@ FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFi
     set.model = std::move(model);
     set.fit = std::move(found);
     const Candidate& c = set.model.candidate;
-    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
         set.x[f] = improved(data_.without(f), c, set.fit.x, effort_of_fold, steps_of_fold, waves).x;
-        set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
-    }
+    judge(set);
     set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
     set.correction = corrections_.one_of(causes, set.of_causes(set.fit.x));
-    set.misfit =
-        mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
-        policy::price_of_parameter * static_cast<double>(causes.effects.empty() ? 0 : causes.parameter_count());
     return set;
 }
 

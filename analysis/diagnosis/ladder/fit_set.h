@@ -46,6 +46,9 @@ class SetFitter {
     /// The set with the number of one of its corrections as documented, the others refitted, waves where they are.
     FittedSet fit_without(const FittedSet& set, std::size_t correction) const;
 
+    /// What each fold leaves with the numbers that the set has there, and the misfit.
+    void judge(FittedSet& set) const;
+
   private:
     enum class Waves { move, stay };
     LevelFit improved(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x, int effort,

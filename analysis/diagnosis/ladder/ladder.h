@@ -25,6 +25,8 @@ struct FittedSet {
     double misfit = infinity;  ///< held-out mean log square, with what the priors and the number of parameters cost
 
     std::vector<Window> all_left() const;
+    /// Squares of what the corrections are off by, in standard deviations of their priors.
+    double deviations() const;
     /// Numbers of the causes alone.
     Eigen::VectorXd of_causes(const Eigen::VectorXd& of_all) const
     {

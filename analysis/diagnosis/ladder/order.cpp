@@ -1,5 +1,6 @@
 // What is asked of a set that a climb has found: in which order its causes count, and what could stand in their place.
 #include "analysis/diagnosis/ladder/climber.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 
@@ -13,6 +14,17 @@ double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect)
     return set.misfit;
 }
 
+double Climber::misfit_held(const FittedSet& set, std::size_t member) const
+{
+    FittedSet held = unfitted_without(set, member), fold = set;
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
+        fold.fit.x = set.x[f];
+        held.x[f] = unfitted_without(fold, member).fit.x;
+    }
+    fitter_.judge(held);
+    return held.misfit;
+}
+
 std::vector<FittedSet> Climber::in_order(FittedSet set) const
 {
     std::vector<FittedSet> order{std::move(set)};
@@ -21,8 +33,11 @@ std::vector<FittedSet> Climber::in_order(FittedSet set) const
         std::vector<FittedSet> less(count);
         std::vector<double> lost(count);
         parallel_(count, [&](std::size_t i) {
-            less[i] = without(order.back(), i);
-            lost[i] = misfit_as_documented(less[i], *order.back().causes.effects[i]);
+            const FittedSet& whole = order.back();
+            less[i] = without(whole, i);
+            lost[i] = misfit_as_documented(less[i], *whole.causes.effects[i]);
+            if (less[i].deviations() - whole.deviations() > policy::standing_in)
+                lost[i] = std::max(lost[i], misfit_held(whole, i));
         });
         order.push_back(less[static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin())]);
     }

@@ -27,21 +27,11 @@ Shares shares_of(const Ladder& ladder, const Flexible& of_corrected, const Flexi
     return s;
 }
 
-/// Squares of what the corrections of a set are off by, in standard deviations of their priors.
-double deviations_of_corrections(const FittedSet& set)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < set.model.numbers; ++i)
-        if (const double sd = set.model.candidate.sd_of(i); sd > 0)
-            sum += std::pow((set.fit.x[static_cast<Eigen::Index>(i)] - prior_mean(set.model.candidate, i)) / sd, 2);
-    return sum;
-}
-
 /// Whether corrections stand in for the causes when these are left out: they go further off than documents are.
 bool corrections_stand_in(const Ladder& ladder)
 {
     return !ladder.rungs.empty() && ladder.last().model.numbers > 0 &&
-           deviations_of_corrections(ladder.corrected) - deviations_of_corrections(ladder.last()) > policy::standing_in;
+           ladder.corrected.deviations() - ladder.last().deviations() > policy::standing_in;
 }
 
 /// Whether the rungs take most of what is explainable beyond the corrections.

@@ -93,6 +93,10 @@ class LadderSearch {
     void shorten(Ladder& ladder) const;
     /// Without this one of its causes.
     Ladder without(const Ladder& ladder, const Effect& cause);
+    /// Climbed anew with the last of the causes among the corrections, as a small term of every machine; nothing where
+    /// it can be none, or a term of its kind is one already.
+    std::optional<Ladder> with_small_term(const Ladder& ladder, const std::vector<Attribution>& pairs,
+                                          const OnlyNoise& only_noise);
     /// The ladder of causes that are known.
     Ladder of(const Attribution& known);
 

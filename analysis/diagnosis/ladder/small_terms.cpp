@@ -127,6 +127,28 @@ bool LadderSearch::found_small_terms(const FittedSet& set)
     return corrections_->beside(set.causes).numbers > set.model.numbers;
 }
 
+std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const std::vector<Attribution>& pairs,
+                                                    const OnlyNoise& only_noise)
+{
+    if (ladder.rungs.size() < 2) return std::nullopt;
+    const Candidate &all = ladder.last().causes, &below = ladder.rungs[ladder.rungs.size() - 2].causes;
+    const Eigen::VectorXd x = ladder.last().of_causes(ladder.last().fit.x);
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < all.effects.size(); ++i) {
+        const auto count = static_cast<Eigen::Index>(all.count_of(*all.forms[i]));
+        const Effect& effect = *all.effects[i];
+        if (std::ranges::count(below.effects, &effect) == 0) {
+            if (!Corrections::is_small_term(effect) || corrections_->has(effect.name)) return std::nullopt;
+            corrections_->add_small_term(effect, *all.forms[i], x.segment(at, count));
+        }
+        at += count;
+    }
+    begin();
+    climber_->forget();
+    first_ = climber_->judged(climber_->looks(corrected_));
+    return climb(pairs, rules_.most_rungs, only_noise);
+}
+
 /// In what the nearest of the first causes leaves, if that is more than noise. All of them, and the corrections alone,
 /// have the terms from then on.
 void LadderSearch::find_small_terms(std::vector<Start>& looks)

@@ -116,8 +116,10 @@ void judge_in_place(Ladder ladder, const LadderSearch& search, const Fit& fit, b
     j = std::move(next);
 }
 
-/// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first.
-void shorten_to_likely(LadderSearch& search, const Fit& fit, JudgedLadder& j)
+/// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first. A
+/// small term of every machine goes among the corrections, or what it leaves would count against the causes.
+void shorten_to_likely(LadderSearch& search, const Fit& fit, const std::vector<Attribution>& pairs,
+                       const OnlyNoise& only_noise, JudgedLadder& j)
 {
     const auto unlikely = [&] {
         return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung &&
@@ -130,6 +132,11 @@ void shorten_to_likely(LadderSearch& search, const Fit& fit, JudgedLadder& j)
     while (const Effect* small = small_term_between(j))
         judge_in_place(search.without(j.ladder, *small), search, fit, true, j, small);
     while (small_against_corrections(j) || unlikely() || corrections_alone()) {
+        if (auto anew =
+                small_against_corrections(j) ? search.with_small_term(j.ladder, pairs, only_noise) : std::nullopt) {
+            judge_in_place(std::move(*anew), search, fit, true, j);
+            continue;
+        }
         Ladder shorter = std::move(j.ladder);
         search.shorten(shorter);
         judge_in_place(std::move(shorter), search, fit, j.usual, j);
@@ -182,6 +189,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
     if (!accepted(f.decision)) {
         progress(DiagnosisStage::correcting_numbers, 0.4);
         LadderSearch search(fit, f.singles, policy::ladder);
+        const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
         f.judged.ladder = search.climb({}, 1);
         judge(f.judged, search.data(), fit);
         f.climbed = f.by_ladder = true;
@@ -197,13 +205,12 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
             if (!accepted(f.decision)) {
                 progress(DiagnosisStage::climbing_ladder, 0.75);
                 f.judged = {};
-                const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
                 f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs, only_noise);
                 judge(f.judged, search.data(), fit);
             }
         }
         if (!accepted(f.decision)) {
-            shorten_to_likely(search, fit, f.judged);
+            shorten_to_likely(search, fit, f.pairs, only_noise, f.judged);
             shorten_to_simulated(search, fit, p.documented, runs, f.judged);
             if (f.judged.answers()) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
         }

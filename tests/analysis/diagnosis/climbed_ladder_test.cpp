@@ -306,6 +306,31 @@ TEST_CASE("a small term goes from between two rungs, too", "[gap][ladder][slow]"
     CHECK(small_term_between(shorter) == nullptr);
 }
 
+TEST_CASE("a small term on top of a cause goes among the corrections of a ladder that is climbed anew", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 3;
+    const Search search(m, {"viscous"});
+    Attribution two = search.single("viscous");
+    const Attribution wave = search.single("position-dependent-friction");
+    two.candidate.effects.push_back(wave.candidate.effects[0]), two.candidate.forms.push_back(wave.candidate.forms[0]);
+    for (std::size_t l = 0; l < two.x.size(); ++l) {
+        Eigen::VectorXd both(two.x[l].size() + wave.x[l].size());
+        both << two.x[l], wave.x[l];
+        two.x[l] = both;
+    }
+    const Ladder ladder = search.search->of(two);
+    REQUIRE(ladder.rungs.size() == 2);
+    REQUIRE(names_of(ladder.rungs[0].causes) == std::vector<std::string>{"viscous"});
+    const auto anew = search.search->with_small_term(ladder, {}, {});
+    REQUIRE(anew);
+    CHECK(names_of(anew->last().causes) == std::vector<std::string>{"viscous"});
+    const auto& model = anew->last().model;
+    CHECK(std::any_of(model.candidate.effects.begin(), model.candidate.effects.begin() + model.corrections,
+                      [](const Effect* e) { return e->name == "position-dependent-friction"; }));
+    CHECK_FALSE(search.search->with_small_term(ladder, {}, {}));
+}
+
 TEST_CASE("what could not be told from a rung is fitted anew before it is", "[gap][ladder][slow]")
 {
     Machine m;

@@ -72,7 +72,7 @@ Attractor Follower::from_turn(const Turn& turn)
 bool Follower::may_rest() const
 {
     const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow_);
-    return sliding ? sliding->can_rest() : dynamic_cast<const SwitchingFlow*>(&flow_) != nullptr;
+    return sliding ? sliding->sticks() : dynamic_cast<const SwitchingFlow*>(&flow_) != nullptr;
 }
 
 bool Follower::repeats()

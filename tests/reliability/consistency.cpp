@@ -25,6 +25,7 @@ double cpu_seconds()
 
 }  // namespace
 
+// In one piece: one loop over joints with its tallies.
 int main(int argc, char** argv)
 {
     using namespace stickslip;

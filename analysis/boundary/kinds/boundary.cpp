@@ -1,3 +1,4 @@
+// In one file: one question, answered by the kind of its boundary.
 #include "analysis/boundary/kinds/boundary.h"
 
 #include "analysis/base/require_valid.h"

@@ -1,3 +1,4 @@
+// In one file: one search over directions, by the measure or by the side, whichever costs less.
 // The nearest boundary, over all directions of the coordinates.
 #include "analysis/boundary/kinds/nearest.h"
 

@@ -1,3 +1,4 @@
+// In one file: one motion, turn by turn, with every way in which it may end.
 // A motion that is followed, turn by turn, until it is judged.
 #include "analysis/simulation/attractor/follower.h"
 #include "analysis/numerics/lasting.h"

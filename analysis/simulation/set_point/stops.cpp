@@ -1,3 +1,4 @@
+// In one file: one slip, with every way in which it may end.
 #include "analysis/simulation/set_point/stops.h"
 
 #include "analysis/base/work_limits.h"

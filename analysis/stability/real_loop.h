@@ -78,6 +78,8 @@ void add_frictions(const LinearJoint& linear, LinearVerdict& verdict);
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);
 double real_growth(const Joint& joint, double velocity, bool velocity_only_friction);
 double real_side(const Joint& joint, double velocity, bool velocity_only_friction);
+/// Whether the growth takes a search that costs many times the side: of loops that delay friction.
+bool growth_is_costly(const Joint& joint);
 /// The root of the loop whose real part is the growth, in the upper half plane; of a sampled one ln z / T. NaN where
 /// there is none.
 std::complex<double> real_root(const Joint& joint, double velocity);

@@ -85,6 +85,15 @@ double real_side(const Joint& joint, double commanded, bool velocity_only_fricti
     return loop ? side(*loop) : missing;
 }
 
+bool growth_is_costly(const Joint& joint)
+{
+    const auto sliding = possible_sliding(joint);
+    if (loop_kind(joint) == LoopKind::ideal || sliding.reason != Reason::none) return false;
+    const auto loop = whole_loop(joint, sliding.velocity, false);
+    const auto* delayed = loop ? std::get_if<DelayedLoop>(&loop->loop) : nullptr;
+    return delayed && (!delayed->friction.empty() || delayed->ticked);
+}
+
 Complex real_root(const Joint& joint, double commanded)
 {
     const double velocity = sliding_velocity(joint, commanded);

@@ -49,6 +49,11 @@ void catch_interrupts(Invocation& invocation)
     handle(on_interrupt, SA_RESETHAND);  // a second Ctrl-C ends the program the ordinary way
 }
 
+LateInterruptsIgnored::~LateInterruptsIgnored()
+{
+    handle(SIG_IGN, 0);
+}
+
 void keep_streams()
 {
     // the lowest free number is taken: those below are open by then

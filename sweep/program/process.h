@@ -11,4 +11,12 @@ void keep_streams();
 /// ending the program by a signal.
 void survive_size_limits();
 
+/// Interrupts that come when the answer stands, until the program has ended: they change nothing, and what they would
+/// be noted in is gone by then.
+struct LateInterruptsIgnored {
+    LateInterruptsIgnored() = default;
+    LateInterruptsIgnored(const LateInterruptsIgnored&) = delete;
+    ~LateInterruptsIgnored();
+};
+
 }  // namespace stickslip

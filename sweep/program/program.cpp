@@ -128,6 +128,7 @@ int run_program(int argc, char** argv, Cluster* cluster)
     survive_size_limits();
     leave_on_interrupts("interrupted before the answer was complete\n");
     Invocation invocation;
+    const LateInterruptsIgnored ends_before_invocation;
     invocation.cluster = cluster;
     invocation.command = "stickslip";
     for (int i = 1; i < argc; ++i) invocation.command += " " + quoted(argv[i]);

@@ -65,6 +65,8 @@ std::string could_be_missed(const LocatedRay& ray)
     else if (ray.kind == BoundaryKind::fold)
         text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
     if (ray.undecided > 0) text += fmt::format("; {} of {} scanned points have no verdict", ray.undecided, ray.nodes);
+    if (ray.undecided > 0 && ray.reason != Reason::none)
+        text += fmt::format(" ({}{})", ray.undecided > 1 ? "the first: " : "", reason_text(ray.reason));
     return text;
 }
 

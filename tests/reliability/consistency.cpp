@@ -1,11 +1,14 @@
 // Random joints of every law, model and control: does any linear answer contradict another? With --loops joints with
 // real loops: does any verb, and the motion itself, contradict another? Usage:
-// reliability_consistency --joints N [--from K] [--loops] [--log FILE], for the joints K … N − 1. A joint
-// is drawn from its number alone; the log holds one line a thousand joints, and a run that finds one goes on behind it.
+// reliability_consistency --joints N [--from K] [--loops] [--seconds S] [--log FILE], for the joints K … N − 1. A joint
+// is drawn from its number alone. The log holds one line a thousand joints, with --loops one a joint; a run that finds
+// one goes on behind it, and --seconds ends a slice of it at the first joint after so much CPU time. Standard error
+// tells every ten seconds of CPU time how far it is.
 #include "tests/analysis/loop/random_loop.h"
 #include "tests/analysis/stability/random_joint.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -13,12 +16,23 @@
 #include <fstream>
 #include <map>
 
+namespace {
+
+double cpu_seconds()
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+// In one piece: one loop over joints with its tallies.
 int main(int argc, char** argv)
 {
     using namespace stickslip;
     std::uint64_t joints = 10'000, number = 0, faults = 0;
     std::string log;
     bool loops = false;
+    double slice = HUGE_VAL;
     for (int i = 1; i < argc; ++i) {
         const bool more = i + 1 < argc;
         if (!std::strcmp(argv[i], "--loops"))
@@ -27,6 +41,8 @@ int main(int argc, char** argv)
             joints = std::stoull(argv[++i]);
         else if (more && !std::strcmp(argv[i], "--from"))
             number = std::stoull(argv[++i]);
+        else if (more && !std::strcmp(argv[i], "--seconds"))
+            slice = std::stod(argv[++i]);
         else if (more && !std::strcmp(argv[i], "--log"))
             log = argv[++i];
         else
@@ -39,17 +55,25 @@ int main(int argc, char** argv)
     }
     std::map<std::string, std::uint64_t> kinds;
     std::vector<std::pair<double, std::uint64_t>> slowest;  // CPU time in s, joint
-    const std::uint64_t first = number;
-    for (; number < joints; ++number) {
+    const std::uint64_t first = number, a_line = loops ? 1 : 1000;
+    constexpr double a_while = 10;  // s of CPU time
+    double told = 0;
+    for (; number < joints && cpu_seconds() < slice; ++number) {
+        if (cpu_seconds() > told + a_while) {
+            told = cpu_seconds();
+            std::fprintf(stderr, "joint %llu of %llu, %llu contradictions, %.0f s\n",
+                         static_cast<unsigned long long>(number), static_cast<unsigned long long>(joints),
+                         static_cast<unsigned long long>(faults), told);
+        }
         std::string fault;
-        const std::clock_t begun = std::clock();
+        const double begun = cpu_seconds();
         try {
             fault = loops ? samples::contradiction_of_verbs(samples::random_loop(number))
                           : samples::contradiction(samples::random_joint(number));
         } catch (const std::exception& e) {
             fault = std::string("exception: ") + e.what();
         }
-        slowest.emplace_back(double(std::clock() - begun) / CLOCKS_PER_SEC, number);
+        slowest.emplace_back(cpu_seconds() - begun, number);
         std::sort(slowest.rbegin(), slowest.rend());
         slowest.resize(std::min<std::size_t>(slowest.size(), 5));
         if (!fault.empty()) {
@@ -58,12 +82,12 @@ int main(int argc, char** argv)
                 std::printf("FAULT joint %llu: %s\n", static_cast<unsigned long long>(number), fault.c_str()),
                     std::fflush(stdout);
         }
-        if (!log.empty() && (number + 1) % 1000 == 0)
+        if (!log.empty() && (number + 1) % a_line == 0)
             std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;
     }
     std::printf("%s compared: %llu joints, %llu of them in this run, contradictions: %llu\n",
                 loops ? "answers of the verbs about real loops" : "linear answers",
-                static_cast<unsigned long long>(joints), static_cast<unsigned long long>(number - first),
+                static_cast<unsigned long long>(number), static_cast<unsigned long long>(number - first),
                 static_cast<unsigned long long>(faults));
     for (const auto& [kind, count] : kinds)
         std::printf("  %s: %llu\n", kind.c_str(), static_cast<unsigned long long>(count));

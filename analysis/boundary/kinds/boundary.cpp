@@ -1,3 +1,4 @@
+// In one file: one question, answered by the kind of its boundary.
 #include "analysis/boundary/kinds/boundary.h"
 
 #include "analysis/base/require_valid.h"
@@ -9,6 +10,7 @@
 #include "analysis/boundary/trace/chart.h"
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 
@@ -206,17 +208,16 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
     return missing;
 }
 
-namespace {
-
-/// Of a set point the answer for the design says why.
-Reason reason_of_no_verdict(Joint joint, const LocatedRay& ray)
+Reason reason_without_side(const Joint& joint, const BoundaryRequest& request)
 {
-    if (ray.undecided < ray.nodes || ray.kind == BoundaryKind::hunting) return Reason::none;
-    number_at(joint, ray.axis.path) = ray.axis.values.front();
-    return linear_verdict(joint).steady.reason;
+    if (request.kind == BoundaryKind::hunting) return Reason::none;
+    const Reason steady = linear_verdict(joint).steady.reason;
+    if (steady != Reason::none || request.kind != BoundaryKind::outcome) return steady;
+    NonlinearOptions options;
+    options.disturbance = request.disturbance;
+    options.region = false;
+    return nonlinear_verdict(joint, options).reason;
 }
-
-}  // namespace
 
 LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const BoundaryRequest& requested)
 {
@@ -227,7 +228,10 @@ LocatedRay locate_boundaries(const Joint& given, const Axis& axis, const Boundar
     if (request.scan == 0) request.scan = scan_of(request.kind, axis);
     auto ray =
         request.kind == BoundaryKind::fold ? locate_folds(joint, axis, request) : locate_on_ray(joint, axis, request);
-    ray.reason = reason_of_no_verdict(given, ray);
+    if (request.kind == BoundaryKind::fold && ray.undecided == ray.nodes) {
+        number_at(probe, axis.path) = ray.axis.values.front();
+        ray.reason = reason_without_side(probe, request);
+    }
     if (request.kind == BoundaryKind::v_min) keep_least(ray.points);
     return ray;
 }

@@ -1,3 +1,4 @@
+// In one file: one search over directions, by the measure or by the side, whichever costs less.
 // The nearest boundary, over all directions of the coordinates.
 #include "analysis/boundary/kinds/nearest.h"
 
@@ -8,6 +9,7 @@
 #include "analysis/numerics/root.h"
 #include "analysis/stability/frequency_search.h"
 #include "analysis/stability/linear_joint.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>
@@ -18,6 +20,7 @@ namespace stickslip {
 namespace {
 
 constexpr double crossing_precision = 1e-10;
+constexpr double by_sides = 1e-4;          ///< of a distance, to which it is found by halving
 constexpr int normal_steps = 6;            ///< at most
 constexpr double normal_precision = 1e-4;  ///< of the distance, where its gain by another step ends them
 constexpr double gradient_step = 1e-5;     ///< in units of the coordinates
@@ -29,7 +32,8 @@ class NearestSearch {
           coordinates_(coordinates),
           options_(options),
           n_(coordinates.size()),
-          movable_(joint, coordinates)
+          movable_(joint, coordinates),
+          costly_(growth_is_costly(joint))
     {
         if (!is_set(options_.reach)) options_.reach = default_reach(coordinates);
         precision_ = options_.precision;
@@ -37,9 +41,7 @@ class NearestSearch {
 
     NearestBoundary run()
     {
-        here_ = measure(Vector(n_, 0));
-        result_.decided = !std::isnan(here_);
-        result_.stable = here_ < 0;
+        decide();
         result_.distance = options_.reach;
         if (!result_.decided || n_ == 0) return result_;
         std::vector<Vector> starts = options_.starts;
@@ -53,14 +55,20 @@ class NearestSearch {
         const auto distance = [this](const Vector& direction) { return first_crossing(direction); };
         Vector best;
         double least = infinity;
+        Vector normal(n_, 0);
         const auto consider = [&](const Vector& direction) {
             const double d = distance(direction);
             if (d < least) least = d, best = direction;
+            return d;
         };
-        for (const auto& s : starts) consider(s);
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            const double d = consider(starts[i]);
+            if (i >= options_.starts.size()) add_intercept(starts[i], d, normal);
+        }
+        if (further && n_ > 1 && costly_ && norm(normal) > 0) consider(normal);
         if (further && options_.global && n_ > 1)
             consider(global_minimum(distance, cube, global_evaluations * static_cast<int>(n_)));
-        if (further && n_ > 1) follow_normals(best, least);
+        if (further && n_ > 1 && !costly_) follow_normals(best, least);
         for (const double step : {0.3, 0.05})
             if (further && n_ > 1 && options_.local > 0 && (options_.global || step < 0.1))
                 consider(local_minimum(distance, cube, scaled_by(best, 0.7 / norm(best)), step,
@@ -74,6 +82,25 @@ class NearestSearch {
     }
 
   private:
+    void decide()
+    {
+        if (costly_) {
+            const auto side = side_at(Vector(n_, 0));
+            result_.decided = side.has_value();
+            result_.stable = side.value_or(false);
+            return;
+        }
+        here_ = measure(Vector(n_, 0));
+        result_.decided = !std::isnan(here_);
+        result_.stable = here_ < 0;
+    }
+
+    std::optional<bool> side_at(const Vector& q)
+    {
+        ++result_.evaluations;
+        return is_stable(movable_.at(q), options_.theory);
+    }
+
     double measure(const Vector& q)
     {
         ++result_.evaluations;
@@ -89,17 +116,19 @@ class NearestSearch {
         const auto at = [&](double r) { return measure(scaled_by(unit, r)); };
         double a = 0, looked_at = 0;
         // what lies beyond the reach does not count, but leads a search over directions to what does
-        const bool leads = n_ > 1;
+        const bool leads = n_ > 1 && !costly_;
         const double far = (leads ? 2 : 1) * options_.reach;
         for (int k = 1; k <= options_.rays; ++k) {
             const double share = static_cast<double>(k) / options_.rays;  // finer where it matters: near the joint
             const double b = far * share * share;
-            ++result_.evaluations;
-            const auto side = is_stable(movable_.at(scaled_by(unit, b)), options_.theory);
+            const auto side = side_at(scaled_by(unit, b));
             if (!side) break;
             if (*side != result_.stable) {
-                const double fa = a == 0 ? here_ : at(a), fb = at(b);
-                if ((fa < 0) != (fb < 0)) return bracketed_root(at, a, fa, b, fb, precision_).value;
+                const auto [low, high] = costly_ ? narrowed(unit, a, b) : std::pair{a, b};
+                if (costly_ && precision_ >= by_sides) return 0.5 * (low + high);
+                const double fa = low == 0 && !costly_ ? here_ : at(low), fb = at(high);
+                if ((fa < 0) != (fb < 0)) return located(unit, bracketed_root(at, low, fa, high, fb, precision_));
+                if (costly_) return 0.5 * (low + high);
             }
             a = b;
             if (a <= options_.reach) looked_at = a;
@@ -107,6 +136,35 @@ class NearestSearch {
         // without a crossing the search is led to where the measure has come down most, within the reach
         const double left = leads && looked_at > 0 ? at(looked_at) / here_ : 1;
         return far * (1 + 0.5 * (std::isnan(left) ? 1 : std::clamp(left, 0.0, 1.0)));
+    }
+
+    /// Where the measure has no number the search for its root ends early; the side still has one.
+    double located(const Vector& unit, const Bracketed& root)
+    {
+        if (root.converged) return root.value;
+        const auto [low, high] = narrowed(unit, root.low, root.high);
+        return 0.5 * (low + high);
+    }
+
+    /// A change of side between two distances, by halving: where the measure costs many times the side.
+    std::pair<double, double> narrowed(const Vector& unit, double a, double b)
+    {
+        while (b - a > by_sides * b) {
+            const double middle = 0.5 * (a + b);
+            const auto side = side_at(scaled_by(unit, middle));
+            if (!side) break;
+            (*side == result_.stable ? a : b) = middle;
+        }
+        return {a, b};
+    }
+
+    /// Of the plane through the crossings on the axes, Σ q_i/d_i = 1, whose normal is that of a smooth boundary if it
+    /// is nearly a plane.
+    void add_intercept(const Vector& axis, double distance, Vector& normal) const
+    {
+        if (!(distance < options_.reach)) return;
+        for (std::size_t i = 0; i < n_; ++i)
+            if (axis[i] != 0 && std::abs(normal[i]) * distance < 1) normal[i] = axis[i] / distance;
     }
 
     /// The nearest point of a smooth boundary lies along the boundary's normal there, so each point's normal leads to a
@@ -160,6 +218,7 @@ class NearestSearch {
     NearestOptions options_;
     std::size_t n_;
     MovableJoint movable_;
+    bool costly_;  ///< the measure, beside the side
     double here_ = missing, precision_ = crossing_precision;
     NearestBoundary result_;
 };
@@ -173,7 +232,8 @@ NearestOptions affordable_search(const Joint& joint)
     if (steady.reason != Reason::none) return options;
     const auto linear = linear_joint(joint, steady.velocity);
     if (!linear.rational())
-        options.global = false, options.rays = 12, options.local = 8, options.precision = 1e-4;
+        options.global = false, options.rays = 12, options.local = growth_is_costly(joint) ? 2 : 8,
+        options.precision = 1e-4;
     else if (linear.bodies > 1)
         options.global = false, options.rays = 24, options.local = 40;
     const double effort = search_effort();

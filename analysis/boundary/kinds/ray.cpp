@@ -44,6 +44,7 @@ class Ray {
             }
             if (i + 2 < n && is_linear(request_.kind)) climb(i);
         }
+        if (ray_.undecided > 0) ray_.reason = reason_of_first();
         ray_.stable_share = static_cast<double>(stable) / static_cast<double>(n);
         ray_.neutral_share = static_cast<double>(neutral) / static_cast<double>(n);
         std::sort(ray_.points.begin(), ray_.points.end(),
@@ -61,6 +62,14 @@ class Ray {
         Joint joint = joint_;
         number_at(joint, ray_.axis.path) = value;
         return side_of(joint, request_);
+    }
+
+    Reason reason_of_first() const
+    {
+        const auto first = std::find_if(sides_.begin(), sides_.end(), [](double side) { return std::isnan(side); });
+        Joint joint = joint_;
+        number_at(joint, ray_.axis.path) = values_[static_cast<std::size_t>(first - sides_.begin())];
+        return reason_without_side(joint, request_);
     }
 
     void scan()

@@ -11,4 +11,7 @@ bool is_linear(BoundaryKind kind);
 /// lacks.
 LocatedRay locate_on_ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
 
+/// Why a joint has no side; none where that is not known. Of a set point its own answer says it.
+Reason reason_without_side(const Joint& joint, const BoundaryRequest& request);
+
 }  // namespace stickslip

@@ -18,6 +18,8 @@ constexpr double longest_turn = 1e3;   ///< of which a turn is given up, in turn
 constexpr int first_turns = 4;         ///< before a motion is tested for having closed
 constexpr int settling_turns = 60;     ///< before one that has not is tested for longer repeats
 constexpr double by_the_linear_rate = 0.02;
+constexpr std::ptrdiff_t sticking_turns = 8;  ///< in succession of nearly one size that go on so
+constexpr double nearly_one_size = 0.05;
 constexpr int linear_turns = 20;  ///< in succession that decayed at that rate: the rest of the decay is known
 
 double distance(const DelayedFlow& flow, const FlowVector& a, const FlowVector& b)
@@ -33,6 +35,16 @@ Attractor from_turns(const std::deque<Turn>& turns, int newest, Attractor result
     return result;
 }
 
+/// Whether the newest turns all stick and are of nearly one size: a turn that sticks forgets the one before, so that
+/// none fades from turn to turn.
+bool goes_on_sticking(const std::deque<Turn>& turns, const std::vector<double>& sizes)
+{
+    if (std::ssize(sizes) < sticking_turns) return false;
+    const auto [least, most] = std::minmax_element(sizes.end() - sticking_turns, sizes.end());
+    return std::all_of(turns.end() - sticking_turns, turns.end(), [](const Turn& t) { return t.sticks > 0; }) &&
+           *most - *least < nearly_one_size * *most;
+}
+
 /// A motion that has neither closed nor settled. One that was cut short for want of work says less, and less is read
 /// from it.
 Attractor unclosed(const DelayedFlow& flow, const std::deque<Turn>& turns, bool cut_short, Attractor result)
@@ -45,7 +57,7 @@ Attractor unclosed(const DelayedFlow& flow, const std::deque<Turn>& turns, bool 
     if (const int m = cut_short ? turns_to_repeat_nearly(count, gap, sizes.back()) : 0; m > 0) {
         result = from_turns(turns, m, result);
         result.kind = result.repeats > 1 ? Kind::period_n : Kind::cycle;
-    } else if (cut_short ? lasts(sizes) : grows_and_shrinks(sizes)) {
+    } else if (cut_short ? lasts(sizes) || goes_on_sticking(turns, sizes) : grows_and_shrinks(sizes)) {
         result.take(merged(turns, count));
         result.kind = Kind::irregular;
     } else {

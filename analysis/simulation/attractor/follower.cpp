@@ -1,3 +1,4 @@
+// In one file: one motion, turn by turn, with every way in which it may end.
 // A motion that is followed, turn by turn, until it is judged.
 #include "analysis/simulation/attractor/follower.h"
 #include "analysis/numerics/lasting.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double settled_distance = 1e-6;    ///< of steady sliding, in units of the flow's scale
 constexpr double closed = 1e-7;              ///< gap of a closed orbit, per amplitude
+constexpr double about_steady = 1e-3;        ///< the same, where states that do not move there stay what they were
 constexpr double longest_turn = 1e4;         ///< of which a turn is given up, in times of the slowest linear rate
 constexpr double shortest_turn = 1e-6;       ///< in times of the fastest linear rate: less is rounding on the section
 constexpr double watched = 1e-8;             ///< the same for a motion that is only watched, at the noise of its steps
@@ -50,6 +52,10 @@ Follower::Follower(const Flow& flow, bool steady_attracts, const FollowOptions& 
     const double wind_up = flow.wind_up_time();
     turn_limit_ = longest_turn / rates.slowest + (std::isfinite(wind_up) ? wind_up : 0);
     abscissa_ = rates.abscissa;
+    slowest_ = rates.slowest;
+    FlowMatrix J;
+    flow.jacobian(steady_, J);
+    frozen_ = (J.rowwise().lpNorm<Eigen::Infinity>().array() == 0).any();
     least_turn_ = shortest_turn / rates.fastest;
     one_turn_.longest_wait = longest_wait;
     several_turns_.longest_wait = options.turn_limit;  // each costs as much as hundreds of turns
@@ -72,7 +78,7 @@ Attractor Follower::from_turn(const Turn& turn)
 bool Follower::may_rest() const
 {
     const auto* sliding = dynamic_cast<const SlidingFlow*>(&flow_);
-    return sliding ? sliding->can_rest() : dynamic_cast<const SwitchingFlow*>(&flow_) != nullptr;
+    return sliding ? sliding->sticks() : dynamic_cast<const SwitchingFlow*>(&flow_) != nullptr;
 }
 
 bool Follower::repeats()
@@ -174,13 +180,23 @@ bool Follower::closes(const Comparison& c) const
     return c.gap < watched * c.size || c.gap / (1 - ratio) < closed * c.size;
 }
 
+/// In steady sliding. A slipping element keeps the force to which a solver's error brought it, and the springs what
+/// balances that: such a joint slides steadily at another place, where nothing moves any more.
+bool Follower::settled(const FlowVector& y) const
+{
+    if (!steady_attracts_) return false;
+    const double left = distance(y, steady_);
+    if (left < settled_distance || !frozen_ || !(left < about_steady)) return left < settled_distance;
+    FlowVector rate;
+    motion_->flow().rate(y, rate);
+    return rate.cwiseQuotient(scale_).cwiseAbs().maxCoeff() < settled_distance * slowest_;
+}
+
 Attractor Follower::run(const FlowVector& y)
 {
     using Kind = Attractor::Kind;
     motion_->start(y);
-    const auto settled = [this](const FlowVector& now) {
-        return steady_attracts_ && distance(now, steady_) < settled_distance;
-    };
+    const auto settled = [this](const FlowVector& now) { return this->settled(now); };
     for (; result_.turns < options_.turn_limit; ++result_.turns) {
         const Turn turn = motion_->turn(motion_->time() + turn_limit_, settled);
         if (result_.turns == 0) result_.first_peak = turn.position_max;

@@ -42,6 +42,7 @@ class Follower {
     bool closes(const Comparison& turns) const;
     bool shoot(const FlowVector& guess);
     bool may_rest() const;
+    bool settled(const FlowVector& y) const;
     bool makes_turn(const Cycle& cycle) const;
     void refine();
     void start_anew(const FlowVector& y);
@@ -66,6 +67,8 @@ class Follower {
     std::deque<Turn> turns_;
     double turn_limit_ = 0, least_turn_ = 0;  ///< s
     double abscissa_ = 0;                     ///< 1/s
+    double slowest_ = 0;                      ///< 1/s, of the modes that are not neutral
+    bool frozen_ = false;                     ///< some states do not move at and about steady sliding
     int linear_turns_ = 0;                    ///< in succession that decayed at the linear rate
     double last_growth_ = missing;            ///< ln of the amplitude ratio of the last two turns
     Creep creep_;

@@ -90,7 +90,16 @@ FrictionResponse ChainFlow::response(const FlowVector& y, int i, const DelayedFo
     if (b.logarithmic) return respond_logarithmic(b.friction, y[bodies + i], b.ratio * b.speed, theta);
     if (!b.rests) return respond(b.friction, V, theta);
     const auto branch = b.mode == Mode::reverse ? Branch::reverse : Branch::forward;
-    return respond_on(b.friction, branch, V, b.ratio * b.speed, theta);
+    return respond_on(b.friction, branch, V, b.ratio * (b.creep > 0 ? creep_edge * b.creep / rest_speed : b.speed),
+                      theta);
+}
+
+double ChainFlow::limit(const FlowVector& y, int i, double needed, const DelayedForces& delayed) const
+{
+    const auto& b = body[i];
+    if (b.creep > 0)
+        return b.ratio * std::abs(respond(b.friction, b.ratio * std::copysign(b.creep, needed), states_of(y, i)).force);
+    return b.ratio * std::max(static_force(i), std::abs(delayed[i]));
 }
 
 double ChainFlow::needed(const FlowVector& y, int i) const
@@ -165,7 +174,8 @@ std::unique_ptr<Flow> ChainFlow::with_gain(double k_p) const
 double ChainFlow::wind_up_time() const
 {
     double held = 0, compliance = 1 / std::abs(loop.k_p);
-    for (int i = 0; i < bodies; ++i) held += body[i].ratio * static_force(i);
+    for (int i = 0; i < bodies; ++i)
+        held += body[i].ratio * (body[i].creep > 0 ? std::abs(body[i].steady_friction) : static_force(i));
     for (int i = 1; i < bodies; ++i) compliance += 1 / std::abs(loop.stiffness_at(i - 1, i));
     return 2 * held * compliance / V0;
 }
@@ -182,7 +192,7 @@ FlowVector ChainFlow::slow_start(double share) const
     Eigen::VectorXd carried(bodies);
     for (int i = 0; i < bodies; ++i) {
         const auto& b = body[i];
-        const double v = b.rests && share < 1e-3 ? 0 : std::max(share, 1e-12) * b.speed;
+        const double v = b.rests && b.creep == 0 && share < 1e-3 ? 0 : std::max(share, 1e-12) * b.speed;
         set_velocity(y, i, v);
         const auto theta = steady_state(b.friction, b.ratio * v);
         std::copy_n(theta.begin(), b.states, y.data() + b.first_state);

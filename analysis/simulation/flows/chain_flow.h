@@ -15,8 +15,9 @@ using DelayedForces = std::array<double, max_bodies>;
 /// M_i v̇_i + Σ_k (K_ik ξ_k + D_ik (v_k − w_k)) + u_i (k_p ξ_m + k_v (v_m − w_m)) + N_i (f_i − f_ss,i) = d_i in joint
 /// coordinates, ξ_i the displacement from the steady path, w_i the steady velocity of body i, N_i v_i the velocity that
 /// its friction feels. y = (ξ_1 … ξ_n, s_1 … s_n, θ of body 1, …) with s_i = ln(v_i/w_i) for laws that need motion and
-/// v_i for the others. A body whose law is set-valued at rest sticks while the force needed to hold it stays within its
-/// static friction. Position, velocity and section are those of the link. Steady sliding at V_0 < 0 is mirrored.
+/// v_i for the others. A body whose law is set-valued at rest, or a steep contact, sticks while the force needed to
+/// hold it stays within its static friction, or what makes it creep faster than rest. Position, velocity and section
+/// are those of the link. Steady sliding at V_0 < 0 is mirrored.
 class ChainFlow final : public SwitchingFlow {
   public:
     enum class Mode { forward, reverse, stuck };
@@ -24,6 +25,7 @@ class ChainFlow final : public SwitchingFlow {
         Friction friction;
         double inertia = 0, ratio = 0, speed = 0;  ///< M_i, N_i, w_i
         double steady_friction = 0;                ///< f_ss,i at the body's own side
+        double creep = 0;                          ///< creep_speed of a steep contact, 0: none; joint coordinates
         bool logarithmic = false, rests = false;
         bool delayed = false;  ///< its friction is not known from the state (DelayedFlow)
         int states = 0, first_state = 0;
@@ -82,11 +84,9 @@ class ChainFlow final : public SwitchingFlow {
     double needed(const FlowVector& y, int i) const;
     /// The largest friction at rest, at the body's own side.
     double static_force(int i) const;
-    /// The same in joint coordinates. What a body resisted a lag ago it may still resist when it has come to rest.
-    double limit(int i, const DelayedForces& delayed) const
-    {
-        return body[i].ratio * std::max(static_force(i), std::abs(delayed[i]));
-    }
+    /// What holds body i against the force needed, in joint coordinates. What a body resisted a lag ago it may still
+    /// resist when it has come to rest.
+    double limit(const FlowVector& y, int i, double needed, const DelayedForces& delayed) const;
     double stiffness(int i, int k) const
     {
         return loop.stiffness_at(i, k) + (k == loop.measured ? loop.actuated[i] * loop.k_p : 0);

@@ -32,7 +32,6 @@ ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
         b.ratio = chain.body[i].ratio;
         b.speed = chain.body[i].speed * flow.V0;
         b.logarithmic = about.needs_motion;
-        b.rests = can_rest(b.friction);
         b.states = states(b.friction);
         b.first_state = next;
         next += b.states;
@@ -48,6 +47,16 @@ ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
         b.steady_friction = steady_force(b.friction, b.ratio * b.speed);
     }
     flow.loop = linear_joint(joint, sliding.velocity);
+    for (int i = 0; i < chain.bodies; ++i) {
+        auto& b = flow.body[i];
+        const double V = b.ratio * b.speed;
+        auto contact = direct_contact(b.friction, V);
+        if (is_steep(contact, V)) {
+            contact.A *= b.ratio;
+            b.creep = creep_speed(contact, flow.stiffness(i, i), b.inertia, b.speed);
+        }
+        b.rests = b.creep > 0 || can_rest(b.friction);
+    }
     if (!flow.steady().allFinite() || !flow.scale().allFinite()) result.reason = Reason::not_finite;
     return result;
 }

@@ -12,9 +12,10 @@ void ChainFlow::switch_values(const FlowVector& y, const DelayedForces& delayed,
         const auto& b = body[i];
         if (!b.rests)
             values[i] = 1;
-        else if (b.mode == Mode::stuck)
-            values[i] = 1 - std::abs(needed(y, i)) / limit(i, delayed);
-        else
+        else if (b.mode == Mode::stuck) {
+            const double force_needed = needed(y, i);
+            values[i] = 1 - std::abs(force_needed) / limit(y, i, force_needed, delayed);
+        } else
             values[i] = velocity(y, i) / b.speed;
     }
 }
@@ -23,9 +24,9 @@ void ChainFlow::settle(int i, FlowVector& y, const DelayedForces& delayed)
 {
     set_velocity(y, i, 0);
     const double force_needed = needed(y, i);
-    body[i].mode = std::abs(force_needed) <= limit(i, delayed) ? Mode::stuck
-                   : force_needed > 0                          ? Mode::forward
-                                                               : Mode::reverse;
+    body[i].mode = std::abs(force_needed) <= limit(y, i, force_needed, delayed) ? Mode::stuck
+                   : force_needed > 0                                           ? Mode::forward
+                                                                                : Mode::reverse;
 }
 
 void ChainFlow::enter(FlowVector& y, const DelayedForces& delayed)

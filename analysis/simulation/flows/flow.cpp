@@ -11,6 +11,10 @@ namespace {
 
 constexpr double least_change = 1e-6;  ///< of a state by a relative change of V of order one, per its level
 
+/// Part of A that inertia takes at the creep speed, and the least and largest such speed per V_0: no solver resolves
+/// smaller ones, and what a mass creeps at larger ones is no rest.
+constexpr double inertial_part = 0.1, least_creep = 1e-7, largest_creep = 1e-5;
+
 }  // namespace
 
 bool has_unsteady_terms(const Friction& f, const Load& l)
@@ -41,6 +45,12 @@ FrictionResponse respond_logarithmic(const Friction& friction, double w, double 
     return r;
 }
 
+double creep_speed(const DirectContact& contact, double stiffness, double inertia, double V0)
+{
+    const double unit = std::pow(contact.A / V0, 2) / (std::abs(stiffness) * inertia);
+    return V0 * std::clamp(inertial_part * unit, least_creep, largest_creep);
+}
+
 FlowVector SlidingFlow::steady() const
 {
     FlowVector y = FlowVector::Zero(size());
@@ -68,11 +78,18 @@ FlowVector SlidingFlow::scale() const
     return s;
 }
 
-FrictionResponse SlidingFlow::response(const FlowVector& y) const
+States SlidingFlow::states_of(const FlowVector& y) const
 {
     States theta{};
     for (int i = 0; i < states; ++i) theta[i] = y[2 + i];
+    return theta;
+}
+
+FrictionResponse SlidingFlow::response(const FlowVector& y) const
+{
+    const States theta = states_of(y);
     if (logarithmic) return respond_logarithmic(friction, y[1], V0, theta);
+    if (steep()) return respond_on(friction, branch, y[1], creep_edge * creep / rest_speed, theta);
     return can_rest() ? respond_on(friction, branch, y[1], V0, theta) : respond(friction, y[1], theta);
 }
 
@@ -118,10 +135,17 @@ std::unique_ptr<Flow> SlidingFlow::with_gain(double gain) const
     return copy;
 }
 
-double SlidingFlow::release_force(double x, double excess) const
+double SlidingFlow::release_force(const FlowVector& y, Branch direction, double excess) const
 {
-    const double forces = std::abs(steady_friction) + std::abs(force) + std::abs(k_v * V0) + std::abs(k_p * x);
-    return static_force() + excess * forces;
+    const double forces = std::abs(steady_friction) + std::abs(force) + std::abs(k_v * V0) + std::abs(k_p * y[0]);
+    const double V = direction == Branch::forward ? creep : -creep;
+    const double held = steep() ? std::abs(respond(friction, V, states_of(y)).force) : static_force();
+    return held + excess * forces;
+}
+
+double SlidingFlow::wind_up_time() const
+{
+    return 2 * (steep() ? std::abs(steady_friction) : static_force()) / (std::abs(k_p) * V0);
 }
 
 double SlidingFlow::static_force() const
@@ -157,6 +181,8 @@ SlidingOrReason sliding_flow(const Joint& joint)
     flow.steady_friction = steady_force(flow.friction, flow.V0);
     flow.logarithmic = info(joint.friction.law).needs_motion;
     flow.states = states(flow.friction);
+    const auto contact = direct_contact(flow.friction, flow.V0);
+    if (is_steep(contact, flow.V0)) flow.creep = creep_speed(contact, flow.k_p, flow.inertia, flow.V0);
     if (!flow.steady().allFinite() || !flow.scale().allFinite()) result.reason = Reason::not_finite;
     return result;
 }

@@ -1,6 +1,7 @@
 // The equations of motion in the variables of a solver: a smooth flow ẏ = F(y) with its Jacobian, and the section V =
 // V_0.
 #pragma once
+#include "analysis/friction/steep_contact.h"
 #include "analysis/joint/joint.h"
 #include "analysis/results/point.h"
 
@@ -65,6 +66,13 @@ bool can_rest(const Friction& friction);
 /// oversteps.
 inline constexpr double rest_speed = 1e-12;
 
+/// Speed up to which a body held by a steep contact creeps for as long as it rests, from which on it slips. Until then
+/// its inertia takes hardly a part of A: V̇ = V k V_0/A.
+double creep_speed(const DirectContact& contact, double stiffness, double inertia, double V0);
+
+/// Of creep_speed: where the friction of a steep contact that slides ends, to go on straight through V = 0.
+inline constexpr double creep_edge = 0.1;
+
 /// The response of one branch, continued smoothly through V = 0, where the event that ends the branch lies. V0 > 0 sets
 /// the scale.
 FrictionResponse respond_on(const Friction& friction, Branch branch, double V, double V0, const States& theta);
@@ -91,6 +99,7 @@ class SlidingFlow final : public Flow {
     double steady_friction = not_set;
     bool logarithmic = false;  ///< y[1] is ln(V/V_0)
     int states = 0;
+    double creep = 0;  ///< creep_speed of a steep contact; 0: no such contact
     Branch branch = Branch::forward;
     double force = 0;  ///< d, constant between calls of surround()
 
@@ -111,19 +120,23 @@ class SlidingFlow final : public Flow {
     void surround(double d, double normal_load) override { force = d, friction.normal_load = normal_load; }
     std::unique_ptr<Flow> with_gain(double gain) const override;
     double gain() const override { return k_p; }
-    double wind_up_time() const override { return 2 * static_force() / (std::abs(k_p) * V0); }
+    double wind_up_time() const override;
     std::unique_ptr<Flow> copy() const override { return std::make_unique<SlidingFlow>(*this); }
 
     /// What the friction must carry for the mass to keep its speed V = 0: f_ss + d + k_v V_0 − k_p x.
     double holding_force(double x) const { return steady_friction + force + k_v * V0 - k_p * x; }
-    /// The holding force at which rest ends. It exceeds the static friction by `excess` of the forces that balance
-    /// there: by default less than any tolerance and more than their rounding, which could else hold the mass again at
-    /// once, and again.
-    double release_force(double x, double excess = least_excess) const;
+    /// The holding force in the direction of a branch at which rest ends. It exceeds the static friction, or what a
+    /// steep contact resists at its creep speed, by `excess` of the forces that balance there: by default less than any
+    /// tolerance and more than their rounding, which could else hold the mass again at once, and again.
+    double release_force(const FlowVector& y, Branch direction, double excess = least_excess) const;
     static constexpr double least_excess = 1e-12;
     /// Largest friction at rest; 0 for a law that is a function at V = 0.
     double static_force() const;
     bool can_rest() const { return stickslip::can_rest(friction); }
+    bool steep() const { return creep > 0; }
+    /// Whether the mass may stick: at rest, or at what is rest to any tolerance.
+    bool sticks() const { return steep() || can_rest(); }
+    States states_of(const FlowVector& y) const;
 
   private:
     FrictionResponse response(const FlowVector& y) const;

@@ -1,9 +1,13 @@
+// In one file: one slip, with every way in which it may end.
 #include "analysis/simulation/set_point/stops.h"
 
 #include "analysis/base/work_limits.h"
 #include "analysis/numerics/polynomial.h"
 #include "analysis/simulation/solvers/stepper.h"
 
+#include <Eigen/Eigenvalues>
+
+#include <complex>
 #include <optional>
 #include <utility>
 
@@ -11,9 +15,11 @@ namespace stickslip {
 namespace {
 
 constexpr double rtol = 1e-10;
-constexpr double far = 1e4;        ///< times the start: no loop that settles goes there
-constexpr double nothing = 1e-10;  ///< share of the start and of the speed that counts as none
-constexpr double long_time = 1e3;  ///< times the slowest time constant: whatever creeps has arrived by then
+constexpr double far = 1e4;                  ///< times the start: no loop that settles goes there
+constexpr double nothing = 1e-10;            ///< share of the start and of the speed that counts as none
+constexpr double rounding_of_force = 1e-14;  ///< per static friction
+constexpr int steps_between = 16;            ///< looks at whether a slip only creeps on
+constexpr double long_time = 1e3;            ///< times the slowest time constant: whatever creeps has arrived by then
 
 double slowest_time(const Regulator& r, double viscous)
 {
@@ -106,6 +112,42 @@ std::optional<std::pair<FlowVector, double>> touched_rest(const RegulatorFlow& f
     return std::pair(solver.at(first), first);
 }
 
+/// Whether nothing but a slow real mode is left of a slip, along `direction`: its speed never vanishes again, and the
+/// mass creeps into the set point. Near it rounding of the forces would cost ever more steps to see that.
+bool creeps_home(const RegulatorFlow& flow, const FlowVector& y, double direction)
+{
+    constexpr double over = 3;    // of the slow mode's speed to that of the others
+    constexpr double bent = 0.3;  // of the damping, what the friction's curve may add or take
+    const auto& r = flow.regulator();
+    if (!(r.k_i > 0) || !r.linear() || y.size() != 3) return false;
+    FlowVector rate;
+    FlowMatrix J;
+    flow.rate(y, rate);
+    flow.jacobian(y, J);
+    const Eigen::EigenSolver<Eigen::MatrixXd> modes{Eigen::MatrixXd(J)};
+    const auto& s = modes.eigenvalues();
+    Eigen::Index slow = 0;
+    for (Eigen::Index i = 1; i < 3; ++i)
+        if (s[i].real() > s[slow].real()) slow = i;
+    if (s[slow].imag() != 0 || !(s[slow].real() < 0)) return false;
+    // ẏ = Σ s_i c_i v_i, so that mode i has the velocity c_i v_i,1
+    const Eigen::Vector3cd share = modes.eigenvectors().partialPivLu().solve(rate.cast<std::complex<double>>());
+    double creep = 0, others = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const auto speed = share[i] / s[i] * modes.eigenvectors()(1, i);
+        if (i == slow)
+            creep = direction * speed.real();
+        else
+            others += std::abs(speed);
+    }
+    if (!(creep > over * others)) return false;
+    const double most = creep + others, damping = -J(1, 1) * r.inertia;
+    const auto resisted = [&](double V) { return direction * respond(flow.friction(), direction * V, {}).force; };
+    const double slope = damping - r.k_v - r.drag;
+    const double curve = std::abs(resisted(most) - static_force(flow.friction()) - slope * most);
+    return curve < bent * damping * most + rounding_of_force * static_force(flow.friction());
+}
+
 }  // namespace
 
 StopToStop::StopToStop(const Regulator& regulator, const Friction& friction)
@@ -185,7 +227,9 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
         if (std::abs(y[0]) > far * a) return stop.end = Stop::End::runaway, stop;
         stop.x = y[0], stop.slip_time = now;
         const bool still = std::abs(y[0]) < none * a && std::abs(y[1]) < none * speed;
-        if (still || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
+        const bool creeps = i % steps_between == steps_between - 1 && report.end == StepEnd::step && !to_first_rest &&
+                            creeps_home(flow, y, flow.branch == Branch::forward ? 1 : -1);
+        if (still || creeps || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
         if (report.end != StepEnd::event) continue;
         if (report.event != rests) {
             if (!regulator_.push.jumps() || report.event > dead_zone_right) continue;

@@ -30,7 +30,7 @@ SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
     if (delayed_) solver_ = Solver::rodas5p;
     stepper_ = stepper(solver_, rtol_);
     auto* sliding = dynamic_cast<SlidingFlow*>(flow_.get());
-    if (sliding && sliding->can_rest()) mutable_flow_ = sliding;
+    if (sliding && sliding->sticks()) mutable_flow_ = sliding;
     switching_ = dynamic_cast<SwitchingFlow*>(flow_.get());
     events_.count = mutable_flow_ ? 3 : switching_ ? 2 + switching_->switches() : 2;
     if (mutable_flow_) {  // V may vanish and reverse: straight measures

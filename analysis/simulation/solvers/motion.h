@@ -71,6 +71,8 @@ class SlidingMotion {
         double time;  ///< the solver's
     };
     std::optional<Touch> touched(double from, const FlowVector& before) const;
+    FlowVector after_rest(double time) const;
+    double rest_duration() const;
     bool stick(double t_end);
     Turn run(double t_end, const std::function<bool(const FlowVector&)>& settled);
     std::optional<Turn::End> slide(double t_end, const std::function<bool(const FlowVector&)>& settled, Turn& turn);

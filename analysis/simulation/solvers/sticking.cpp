@@ -1,6 +1,7 @@
 // How a motion comes to rest, sticks and breaks away.
 #include "analysis/simulation/solvers/motion.h"
 
+#include "analysis/numerics/root.h"
 #include "analysis/simulation/flows/break_away.h"
 
 #include <algorithm>
@@ -12,6 +13,9 @@ namespace {
 /// A solver whose tolerance of V outweighs the first acceleration of a mass that breaks away puts it back to rest: each
 /// such bounce lets the spring wind up by so much more before the next try.
 constexpr double excess_growth = 4, largest_excess = 1e-6;
+
+constexpr int most_doublings = 60;      ///< of the time until a contact that grows older is overcome
+constexpr double release_time = 1e-14;  ///< of that time, to which it is found
 
 constexpr int most_idle_switches = 100;  ///< of bodies that stop and go without time moving on
 
@@ -29,7 +33,8 @@ void SlidingMotion::begin_slide(Branch branch)
     y_[1] = 0;
     const double speed = mutable_flow_->V0 * std::min(resolved * rtol_, largest_launch);
     const double V = branch == Branch::forward ? speed : -speed;
-    if (const auto launch = break_away(*mutable_flow_, y_, V)) {
+    const auto launch = mutable_flow_->steep() ? std::nullopt : break_away(*mutable_flow_, y_, V);
+    if (launch) {
         t_ += launch->time;
         rest_time_ += launch->time;
         y_[0] = launch->x;
@@ -44,29 +49,58 @@ void SlidingMotion::arrive_at_rest()
     y_[1] = 0;
     if (++bounces_ > 1) release_excess_ = std::min(largest_excess, release_excess_ * excess_growth);
     const double needed = mutable_flow_->holding_force(y_[0]);
-    if (std::abs(needed) < mutable_flow_->release_force(y_[0], release_excess_)) {
+    const auto side = needed > 0 ? Branch::forward : Branch::reverse;
+    if (std::abs(needed) < mutable_flow_->release_force(y_, side, release_excess_)) {
         stuck_ = true;
         ++sticks_;
     } else {
-        begin_slide(needed > 0 ? Branch::forward : Branch::reverse);
+        begin_slide(side);
     }
 }
 
-/// Sticking: x falls at V_0, so the force needed changes at k_p V_0 until it overcomes the static friction of one side.
+/// y after so long a rest: x falls at V_0, and contacts may grow older.
+FlowVector SlidingMotion::after_rest(double time) const
+{
+    FlowVector y = y_;
+    y[0] -= mutable_flow_->V0 * time;
+    if (!mutable_flow_->steep()) return y;
+    const States theta = rested(mutable_flow_->friction, mutable_flow_->states_of(y_), time);
+    for (int i = 0; i < mutable_flow_->states; ++i) y[2 + i] = theta[i];
+    return y;
+}
+
+/// How long the mass sticks: the force needed to hold it changes at k_p V_0 until it overcomes the static friction of
+/// one side. A contact that grows older holds longer, as its strength rises with the logarithm of time.
+double SlidingMotion::rest_duration() const
+{
+    const double rise = mutable_flow_->k_p * mutable_flow_->V0;
+    if (rise == 0) return infinity;
+    const auto side = rise > 0 ? Branch::forward : Branch::reverse;
+    const double sign = rise > 0 ? 1 : -1;
+    const auto surplus = [&](const FlowVector& y) {
+        return sign * mutable_flow_->holding_force(y[0]) - mutable_flow_->release_force(y, side, release_excess_);
+    };
+    const auto surplus_after = [&](double time) { return surplus(after_rest(time)); };
+    const double at_once = -surplus(y_) / std::abs(rise);  // of a strength that stays
+    if (!mutable_flow_->steep()) return at_once;
+    const double first = surplus_after(at_once);
+    double longest = at_once, left = first;
+    for (int k = 0; left < 0 && k < most_doublings; ++k) left = surplus_after(longest *= 2);
+    if (left < 0) return infinity;
+    return bracketed_root(surplus_after, at_once, first, longest, left, release_time).high;
+}
+
 bool SlidingMotion::stick(double t_end)
 {
-    const double needed = mutable_flow_->holding_force(y_[0]),
-                 limit = mutable_flow_->release_force(y_[0], release_excess_);
-    const double rise = mutable_flow_->k_p * mutable_flow_->V0;
-    const double wait = rise > 0 ? (limit - needed) / rise : rise < 0 ? (-limit - needed) / rise : infinity;
+    const double wait = rest_duration();
     if (!(std::isfinite(wait)) && !std::isfinite(t_end)) return false;
     const double until = std::min(t_end, t_ + wait);
-    y_[0] -= mutable_flow_->V0 * (until - t_);
+    y_ = after_rest(until - t_);
     rest_time_ += until - t_;
     t_ = until;
     if (until < t_end) {
         release_position_ = y_[0];
-        begin_slide(rise > 0 ? Branch::forward : Branch::reverse);
+        begin_slide(mutable_flow_->k_p > 0 ? Branch::forward : Branch::reverse);
     }
     return true;
 }

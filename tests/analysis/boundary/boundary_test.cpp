@@ -171,6 +171,31 @@ TEST_CASE("outcomes: the boundary lies between the linear one and the fold, and 
     CHECK(near.points[0].method == LocationMethod::bisection);
 }
 
+TEST_CASE("a ray says why a scanned point has no verdict", "[boundary][outcome]")
+{
+    auto request = of(BoundaryKind::outcome);
+    request.scan = 4;
+    request.disturbance = {DisturbanceKind::start, 1e-4};
+    SECTION("the middle one of a range around rest, where the law has no meaning")
+    {
+        const auto ray =
+            locate_boundaries(example_joint(2.2e4, 47.5, 1e-2), axis("control.V0", -1e-2, 1e-2, false), request);
+        CHECK(ray.undecided > 0);
+        CHECK(ray.reason == Reason::law_needs_motion);
+    }
+    SECTION("every one of a law that is linear by definition")
+    {
+        Joint joint = example_joint(2.2e4, 47.5, 1e-2);
+        Kernel law;
+        law.f0 = 60, law.f_v = 10, law.V_star = 1e-3;
+        law.exponentials.push_back({100, 10});
+        joint.friction.law = law;
+        const auto ray = locate_boundaries(joint, axis("control.k_p", 1.5e4, 3e4), request);
+        CHECK(ray.undecided == ray.nodes);
+        CHECK(ray.reason == Reason::linear_only);
+    }
+}
+
 TEST_CASE("a path that the joint lacks is refused", "[boundary]")
 {
     CHECK_THROWS_AS(

@@ -132,6 +132,7 @@ std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const 
 {
     if (ladder.rungs.size() < 2) return std::nullopt;
     const Candidate &all = ladder.last().causes, &below = ladder.rungs[ladder.rungs.size() - 2].causes;
+    if (two_mass_edit(all)) return std::nullopt;  // ten times as dear to climb
     const Eigen::VectorXd x = ladder.last().of_causes(ladder.last().fit.x);
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < all.effects.size(); ++i) {

@@ -94,7 +94,7 @@ TEST_CASE("a descent finds back from where friction has been taken away altogeth
     const Candidate viscous = of({"viscous"});
     const double all_of_it = -1.5 / unit_of(Scale::damping, scales);
     // nothing depends on the change where all of the friction is gone
-    const auto fit = descend(cases, viscous, scales, to_fit(viscous, {3 * all_of_it}), levels[1], 12);
+    const auto fit = descend({cases, viscous, scales, levels[1]}, to_fit(viscous, {3 * all_of_it}), 12);
     CHECK(in_si(viscous, fit.x, scales)[0] == Approx(-1.2).epsilon(0.02));
     CHECK(fit.evaluation.records[0].position < 1.1);
 }

@@ -12,14 +12,14 @@
 #include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/pieces.h"
+#include "analysis/diagnosis/report_findings.h"
 #include "analysis/diagnosis/rig/rig.h"
-#include "analysis/diagnosis/tell_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/controller_cause.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate_stages.h"
 #include "analysis/diagnosis/verdict/reject.h"
-#include "analysis/diagnosis/verdict/tell_ladder.h"
+#include "analysis/diagnosis/verdict/report_ladder.h"
 
 #include <algorithm>
 #include <optional>
@@ -130,13 +130,13 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
             cause_of(p, f.none, f.within_noise ? 1 - policy::doubt_of_finding : policy::finding_and_more));
         if (!f.within_noise) d.reasons.push_back({Note::Code::controller_and_rest});
     } else if (f.by_ladder) {
-        tell_named(p, parallel, f, d);
+        report_named(p, parallel, f, d);
     } else {
         list_effects(p, ranked, d);
         if (!d.effects.empty() && shown)
             d.effects[0].heldout_gain = held.gain, d.effects[0].heldout_gain_interval = held.gain_interval;
     }
-    if (d.verdict == Verdict::unknown && !f.within_noise && !f.why_not) tell_unexplained(f, d);
+    if (d.verdict == Verdict::unknown && !f.within_noise && !f.why_not) report_unexplained(f, d);
     double audited = 0;
     if (wrong_controller && !p.cases[0].controller_error.empty()) {
         audited = share_of_controller(d.signals) * p.audit.findings[0].gain;
@@ -144,14 +144,14 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         const auto alone = audit_alone ? held : hold_out(p.fit(parallel), p.documented, f.none, runs);
         audited = std::clamp(alone.overall.explained, 0.0, 1.0);
     }
-    tell_ladder(p, f, audited, d);
+    report_ladder(p, f, audited, d);
     const bool only_numbers = f.judged.only_corrections && f.judged.noise_left;
     const bool closed_loop = p.cases[0].controller_error.empty();  // else both were found independently
     if (f.by_ladder && !audit_alone && wrong_controller && shown && !only_numbers && closed_loop)
         put_controller_in_order(cause_of(p, f.none, 0), f.judged, d);
     if (!f.climbed && shown) d.remainder.share = f.within_noise ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
-    if (shown) tell_rivals(p, parallel, f, ranked, winner, d);
-    if (shown) tell_filter(p, d);
+    if (shown) report_rivals(p, parallel, f, ranked, winner, d);
+    if (shown) report_filter(p, d);
     const bool settled = f.within_noise || f.by_ladder || winner.accepted || wrong_controller;
     if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder})) return;
     const Joint documented = result.after;
@@ -200,7 +200,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
 }
 
 /// What was found before the interruption stays; a cause that was not held against other data is none.
-void tell_interrupted(DiagnosisStage stage, const Joint& joint, DiagnosisResult& result)
+void report_interrupted(DiagnosisStage stage, const Joint& joint, DiagnosisResult& result)
 {
     Diagnosis& d = result.diagnosis;
     d.interrupted = true;
@@ -237,7 +237,7 @@ DiagnosisResult diagnose(const Joint& joint, const std::vector<Record>& records,
         if (std::ranges::all_of(records, is_rig)) return diagnose_rig(joint, records, parallel);
         find(joint, records, parallel, options, progress, result);
     } catch (const Interrupted&) {
-        tell_interrupted(stage, joint, result);
+        report_interrupted(stage, joint, result);
     }
     return result;
 }

@@ -50,6 +50,12 @@ struct FittedParameter {
     std::string unit;
 };
 
+/// Whether the parameter is one of the effect of this name: the part before its first dot.
+inline bool is_of(const FittedParameter& parameter, std::string_view effect)
+{
+    return std::string_view(parameter.name).substr(0, parameter.name.find('.')) == effect;
+}
+
 /// A number of the joint with a cause in it, as a data sheet has it: the level of one direction, not half a difference.
 struct SheetValue {
     std::string name;  ///< "Coulomb level, positive direction"

@@ -128,7 +128,7 @@ std::string fitted_numbers(const Cause& cause, const std::string& effect)
 {
     std::string text;
     for (const auto& p : cause.parameters) {
-        if (!p.name.starts_with(effect + ".")) continue;
+        if (!is_of(p, effect)) continue;
         std::string name = p.name.substr(effect.size() + 1);
         if (const Sign* sign = sign_of("friction." + name)) name = sign->name;
         std::replace(name.begin(), name.end(), '_', ' ');

@@ -6,7 +6,7 @@ Effect actuator_lag()
 {
     Effect e;
     e.name = "actuator-lag";
-    e.stage = "actuator";
+    e.stage = Stage::actuator;
     e.form = "1/(1 + s tau)";
     e.source = "Franklin, Powell and Workman 1998";
     e.signature = "phase, at high frequency";

@@ -6,7 +6,7 @@ Effect asymmetric_friction()
 {
     Effect e;
     e.name = "asymmetric-friction";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "F_c and F_v differ by direction";
     e.source = "Janot, Gautier and Brunot 2019";
     e.signature = "friction differs between the directions";

@@ -38,8 +38,4 @@ Effect periodic_disturbance();
 bool main_friction_on_motor(const Joint& joint);
 bool main_friction_on_link(const Joint& joint);
 
-/// Whether a form moves the joint as an effect that is likelier does, and only a measured effort tells them apart: a
-/// motor's back-EMF is viscous friction, whose number is the less certain one.
-bool shows_in_effort_alone(const EffectForm& form);
-
 }  // namespace stickslip::gap

@@ -6,7 +6,7 @@ Effect cogging()
 {
     Effect e;
     e.name = "cogging";
-    e.stage = "mechanism";
+    e.stage = Stage::mechanism;
     e.form = "A sin(n q + phi)";
     e.source = "Hanselman 2006";
     e.signature = "locked to position, does not flip with velocity";

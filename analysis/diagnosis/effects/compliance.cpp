@@ -22,6 +22,7 @@ void add_divided_mass(Effect& e)
         {"link_friction", Quantity::number, Scale::one, false, 0, 1, 0.3, "share of the friction on the link side"},
         {"damping_ratio", Quantity::number, Scale::one, true, 1e-3, 2, 0.05, "damping ratio of the divided mass"},
     };
+    f.parameters[1].size = true;
     f.apply = [](Joint& j, const double* p) { divide_mass(j, p[0], p[1], p[3], p[2]); };
     for (double stiffness : {4.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 5000.0})
         for (double motor : {0.3, 0.65})
@@ -58,6 +59,7 @@ void add_divided_mass(Effect& e)
     e.forms.push_back(f);
     // the encoder of a joint documented as one mass may sit behind the spring
     f.name = "divided-mass-encoder-on-link";
+    f.encoder_on_link = true;
     f.apply = [](Joint& j, const double* p) {
         divide_mass(j, p[0], p[1], p[3], p[2]);
         j.control.feedback = Feedback::link;
@@ -72,9 +74,10 @@ void add_two_mass(Effect& e)
     EffectForm f;
     f.name = "two-mass";
     f.parameters = {
-        {"stiffness_factor", Quantity::number, Scale::one, true, 0.01, 100, 0.5, "true stiffness per nominal"},
-        {"damping_factor", Quantity::number, Scale::one, true, 0.01, 100, 1, "true damping per nominal"},
+        factor_on_number(0.01, 100, 0.5, "true stiffness per nominal", "stiffness_factor"),
+        factor_on_number(0.01, 100, 1, "true damping per nominal", "damping_factor"),
     };
+    f.parameters[0].size = true;
     f.apply = [](Joint& j, const double* p) {
         j.mechanism.transmission.stiffness *= p[0];
         j.mechanism.transmission.damping *= p[1];
@@ -100,7 +103,8 @@ Effect compliance()
 {
     Effect e;
     e.name = "compliance";
-    e.stage = "mechanism";
+    e.stage = Stage::mechanism;
+    e.of_transmission = true;
     e.form = "two inertias, stiffness, damping";
     e.source = "Spong 1987";
     e.signature = "resonance; extra lag that grows with acceleration";

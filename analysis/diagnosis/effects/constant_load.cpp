@@ -6,7 +6,7 @@ Effect constant_load()
 {
     Effect e;
     e.name = "constant-load";
-    e.stage = "mechanism";
+    e.stage = Stage::mechanism;
     e.form = "offset";
     e.source = "d'Alembert 1743";
     e.signature = "even in velocity, constant";

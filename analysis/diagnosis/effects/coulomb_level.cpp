@@ -6,7 +6,7 @@ Effect coulomb_level()
 {
     Effect e;
     e.name = "coulomb-level";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "F_c sgn v";
     e.source = "Coulomb 1785";
     e.signature = "square in the sign of velocity";
@@ -21,6 +21,7 @@ Effect coulomb_level()
         f.seeds = {{0.1}, {-0.1}};
         e.forms.push_back(f);
         f.name = "link";
+        f.own_number = true;
         f.parameters[0].scale = Scale::load_effort;
         f.parameters[0].help = "change of the Coulomb level on the link";
         f.apply = [](Joint& j, const double* p) { shift_coulomb(j.frictions.link, p[0]); };

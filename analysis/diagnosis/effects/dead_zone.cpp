@@ -6,7 +6,8 @@ Effect dead_zone()
 {
     Effect e;
     e.name = "dead-zone";
-    e.stage = "controller";
+    e.stage = Stage::controller;
+    e.in_command = true;
     e.form = "position errors within the zone count as none";
     e.source = "Armstrong-Helouvry, Dupont and Canudas de Wit 1994";
     e.signature = "the command is the proportional part less k_p times the zone, and nothing within it";
@@ -14,7 +15,7 @@ Effect dead_zone()
     {
         EffectForm f;
         f.parameters = {
-            {"width", Quantity::number, Scale::one, true, 0.1, 10, 0.3, "true zone per documented"},
+            factor_on_number(0.1, 10, 0.3, "true zone per documented", "width"),
         };
         f.apply = [](Joint& j, const double* p) { j.control.dead_zone *= p[0]; };
         f.seeds = {{1.2}, {0.8}};

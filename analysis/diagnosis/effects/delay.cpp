@@ -6,7 +6,7 @@ Effect delay()
 {
     Effect e;
     e.name = "delay";
-    e.stage = "controller";
+    e.stage = Stage::controller;
     e.form = "u(t - T)";
     e.source = "Franklin, Powell and Workman 1998";
     e.signature = "phase linear in frequency";

@@ -1,22 +1,13 @@
 #include "analysis/diagnosis/effects/catalogue.h"
 
 namespace stickslip::gap {
-namespace {
-
-constexpr std::string_view back_emf = "back-emf";
-
-}  // namespace
-
-bool shows_in_effort_alone(const EffectForm& form)
-{
-    return form.name == back_emf;
-}
 
 Effect effort_gain()
 {
     Effect e;
     e.name = "effort-gain";
-    e.stage = "actuator";
+    e.stage = Stage::actuator;
+    e.scales_reading = true;
     e.form = "(1 + epsilon) u";
     e.source = "Lynch and Park 2017";
     e.signature = "proportional to effort";
@@ -24,7 +15,7 @@ Effect effort_gain()
     {
         EffectForm f;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true effort per nominal"},
+            factor_on_number(0.2, 5, 0.2, "true effort per nominal"),
         };
         f.apply = [](Joint& j, const double* p) { j.actuator.effort_gain *= p[0]; };
         f.seeds = {{1.03}, {0.97}};
@@ -34,7 +25,7 @@ Effect effort_gain()
         EffectForm f;
         f.name = "drive";
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true voltage at the winding per nominal"},
+            factor_on_number(0.2, 5, 0.2, "true voltage at the winding per nominal"),
         };
         // the winding's voltage grows, its back-EMF does not
         f.apply = [](Joint& j, const double* p) {
@@ -46,9 +37,10 @@ Effect effort_gain()
         e.forms.push_back(f);
         // a motor of another speed constant: it resists motion more or less than documented, as viscous friction that
         // its own current shows
-        f.name = back_emf;
+        f.name = "back-emf";
+        f.effort_alone = true;  // viscous friction, whose number is the less certain one, moves the joint likewise
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.2, 5, 0.2, "true back-EMF constant per nominal"},
+            factor_on_number(0.2, 5, 0.2, "true back-EMF constant per nominal"),
         };
         f.apply = [](Joint& j, const double* p) { j.actuator.k_e *= p[0]; };
         f.seeds = {{1.1}, {0.9}};

@@ -6,7 +6,8 @@ Effect feed_forward()
 {
     Effect e;
     e.name = "feed-forward";
-    e.stage = "controller";
+    e.stage = Stage::controller;
+    e.in_command = true;
     e.form = "coulomb tanh(r'/speed) + acceleration r'', and the share of r' in the velocity error";
     e.source = "Franklin, Powell and Workman 1998; Armstrong-Helouvry, Dupont and Canudas de Wit 1994";
     e.signature = "a function of the reference alone, in the command";
@@ -15,7 +16,7 @@ Effect feed_forward()
                           bool (*applies)(const Joint&)) {
         EffectForm f;
         f.name = name;
-        f.parameters = {{name, Quantity::number, Scale::one, true, 0.1, 10, 0.3, help}};
+        f.parameters = {factor_on_number(0.1, 10, 0.3, help, name)};
         f.apply = apply;
         f.seeds = {{1.1}, {0.9}};
         f.applies = applies;

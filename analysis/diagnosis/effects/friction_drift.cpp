@@ -6,7 +6,7 @@ Effect friction_drift()
 {
     Effect e;
     e.name = "friction-drift";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "Coulomb level warms up with time";
     e.source = "Armstrong-Helouvry 1991";
     e.signature = "slow trend of the friction level";

@@ -34,7 +34,7 @@ Effect frictional_memory()
 {
     Effect e;
     e.name = "frictional-memory";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "rate-and-state memory or a lag";
     e.source = "Dupont 1991, (4)-(5); Hess and Soom 1990";
     e.signature = "transient after a speed change, in slip distance";

@@ -15,7 +15,8 @@ Effect gain_k_i()
 {
     Effect e;
     e.name = "gain-k_i";
-    e.stage = "controller";
+    e.stage = Stage::controller;
+    e.in_command = true;
     e.form = "(1 + epsilon) k_i, in a cascade K_i or 1/T_n; k_i that the document lacks; another limit of the integral";
     e.source = "Franklin, Powell and Workman 1998; Armstrong-Helouvry and Amin 1996";
     e.signature = "proportional to the integral of the position error, in the command";
@@ -23,7 +24,7 @@ Effect gain_k_i()
     {
         EffectForm f;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.2, "true gain per nominal"},
+            factor_on_number(0.1, 10, 0.2, "true gain per nominal"),
         };
         f.apply = [](Joint& j, const double* p) {
             auto& c = j.control;

@@ -6,7 +6,8 @@ Effect gain_k_p()
 {
     Effect e;
     e.name = "gain-k_p";
-    e.stage = "controller";
+    e.stage = Stage::controller;
+    e.in_command = true;
     e.form = "(1 + epsilon) k_p";
     e.source = "Franklin, Powell and Workman 1998";
     e.signature = "proportional to the tracking error, in the command";
@@ -14,7 +15,7 @@ Effect gain_k_p()
     {
         EffectForm f;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.2, "true gain per nominal"},
+            factor_on_number(0.1, 10, 0.2, "true gain per nominal"),
         };
         f.apply = [](Joint& j, const double* p) { j.control.k_p *= p[0]; };
         f.seeds = {{1.03}, {0.97}};

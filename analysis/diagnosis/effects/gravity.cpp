@@ -15,7 +15,7 @@ Effect gravity()
 {
     Effect e;
     e.name = "gravity";
-    e.stage = "mechanism";
+    e.stage = Stage::mechanism;
     e.form = "m g l sin(q + phi)";
     e.source = "Newton 1687";
     e.signature = "even in velocity, sine of position";

@@ -6,7 +6,7 @@ Effect inertia()
 {
     Effect e;
     e.name = "inertia";
-    e.stage = "mechanism";
+    e.stage = Stage::mechanism;
     e.form = "dJ a";
     e.source = "Newton 1687";
     e.signature = "proportional to acceleration";
@@ -14,7 +14,7 @@ Effect inertia()
     {
         EffectForm f;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.3, "true inertia per nominal inertia"},
+            factor_on_number(0.1, 10, 0.3, "true inertia per nominal inertia"),
         };
         f.apply = [](Joint& j, const double* p) { j.mechanism.inertia *= p[0]; };
         f.seeds = {{1.05}, {0.95}};
@@ -24,8 +24,9 @@ Effect inertia()
     {
         EffectForm f;
         f.name = "link";
+        f.own_number = true;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.3, "true link inertia per nominal"},
+            factor_on_number(0.1, 10, 0.3, "true link inertia per nominal"),
         };
         f.apply = [](Joint& j, const double* p) { j.mechanism.link_inertia *= p[0]; };
         f.seeds = {{1.05}, {0.95}};
@@ -35,8 +36,9 @@ Effect inertia()
     {
         EffectForm f;
         f.name = "motor";
+        f.own_number = true;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.1, 10, 0.3, "true motor inertia per nominal"},
+            factor_on_number(0.1, 10, 0.3, "true motor inertia per nominal"),
         };
         f.apply = [](Joint& j, const double* p) { j.mechanism.motor_inertia *= p[0]; };
         f.seeds = {{1.05}, {0.95}};

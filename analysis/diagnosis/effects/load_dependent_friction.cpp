@@ -6,7 +6,7 @@ Effect load_dependent_friction()
 {
     Effect e;
     e.name = "load-dependent-friction";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "mu |transmitted effort| sgn v";
     e.source = "Amontons 1699";
     e.signature = "friction grows with the transmitted effort";

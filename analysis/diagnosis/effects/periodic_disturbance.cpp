@@ -6,7 +6,7 @@ Effect periodic_disturbance()
 {
     Effect e;
     e.name = "periodic-disturbance";
-    e.stage = "outside";
+    e.stage = Stage::outside;
     e.form = "A sin(omega t + phi)";
     e.source = "Francis and Wonham 1976";
     e.signature = "locked to time, not to position";

@@ -6,7 +6,7 @@ Effect position_dependent_friction()
 {
     Effect e;
     e.name = "position-dependent-friction";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "F_c(q) sgn v";
     e.source = "Armstrong-Helouvry 1991";
     e.signature = "locked to position, flips with velocity";

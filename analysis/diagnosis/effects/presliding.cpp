@@ -6,7 +6,7 @@ Effect presliding()
 {
     Effect e;
     e.name = "presliding";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "bristles: Dahl or LuGre";
     e.source = "Dahl 1968; Canudas de Wit et al. 1995";
     e.signature = "spring-like loop at reversal";

@@ -6,7 +6,8 @@ Effect quantisation()
 {
     Effect e;
     e.name = "quantisation";
-    e.stage = "sensor";
+    e.stage = Stage::sensor;
+    e.read_off = true;  // off the grid on which the readings lie
     e.form = "floor(q/Delta) Delta";
     e.source = "Widrow and Kollar 2008";
     e.signature = "bounded sawtooth: readings lie on a coarser grid";

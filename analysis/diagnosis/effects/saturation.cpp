@@ -6,7 +6,7 @@ Effect saturation()
 {
     Effect e;
     e.name = "saturation";
-    e.stage = "actuator";
+    e.stage = Stage::actuator;
     e.form = "clip(u)";
     e.source = "Hippe 2006";
     e.signature = "only at the limit";

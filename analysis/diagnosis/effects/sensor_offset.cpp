@@ -6,7 +6,7 @@ Effect sensor_offset()
 {
     Effect e;
     e.name = "sensor-offset";
-    e.stage = "sensor";
+    e.stage = Stage::sensor;
     e.form = "q + q_0, scale";
     e.source = "Fraden 2016";
     e.signature = "sine of position under gravity";
@@ -26,7 +26,7 @@ Effect sensor_offset()
         EffectForm f;
         f.name = "scale";
         f.parameters = {
-            {"scale", Quantity::number, Scale::one, true, 0.5, 2, 0.05, "reading per true position"},
+            factor_on_number(0.5, 2, 0.05, "reading per true position", "scale"),
         };
         f.apply = [](Joint& j, const double* p) { j.sensor.position_scale *= p[0]; };
         f.seeds = {{1.01}};

@@ -6,7 +6,7 @@ Effect stribeck()
 {
     Effect e;
     e.name = "stribeck";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "c2 exp(-(|v|/c3)^c4) sgn v";
     e.source = "Dupont 1991, (7)";
     e.signature = "friction falls from rest to low speed, then flat";

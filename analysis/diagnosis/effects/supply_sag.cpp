@@ -6,7 +6,7 @@ Effect supply_sag()
 {
     Effect e;
     e.name = "supply-sag";
-    e.stage = "actuator";
+    e.stage = Stage::actuator;
     e.form = "V_0 - R_b i";
     e.source = "Hughes and Drury 2013";
     e.signature = "grows with drive";

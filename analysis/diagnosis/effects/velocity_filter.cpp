@@ -6,7 +6,8 @@ Effect velocity_filter()
 {
     Effect e;
     e.name = "velocity-filter";
-    e.stage = "controller";
+    e.stage = Stage::controller;
+    e.in_command = true;
     e.form = "first-order filter on the k_v path";
     e.source = "Franklin, Powell and Workman 1998";
     e.signature = "acts with k_v only";

@@ -14,7 +14,7 @@ Effect viscous()
 {
     Effect e;
     e.name = "viscous";
-    e.stage = "friction";
+    e.stage = Stage::friction;
     e.form = "F_v v";
     e.source = "Reynolds 1886";
     e.signature = "linear in velocity";
@@ -32,8 +32,9 @@ Effect viscous()
     {
         EffectForm f;
         f.name = "link";
+        f.own_number = true;
         f.parameters = {
-            {"factor", Quantity::number, Scale::one, true, 0.05, 20, 0.3, "true viscous slope on the link per nominal"},
+            factor_on_number(0.05, 20, 0.3, "true viscous slope on the link per nominal"),
         };
         f.apply = [](Joint& j, const double* p) { scale_viscous(j.frictions.link, p[0]); };
         f.applies = [](const Joint& j) { return main_friction_on_motor(j) && viscous_slope(j.frictions.link) > 0; };

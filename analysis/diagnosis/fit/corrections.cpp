@@ -32,7 +32,7 @@ void Corrections::add(std::string_view name, const EffectParameter& parameter, v
     form.own = own;
     Effect& e = effects_.emplace_back();
     e.name = name;
-    e.stage = "correction";
+    e.stage = Stage::correction;
     e.forms.push_back(std::move(form));
 }
 
@@ -58,6 +58,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
                           prior.widest * sd,
                           sd,
                           help};
+        p.factor = logarithmic;
         if (logarithmic) p.low = std::exp(p.low), p.high = std::exp(p.high);
         sds_.push_back({sd});
         return p;
@@ -137,10 +138,9 @@ Corrected Corrections::but(Corrected all, std::size_t correction)
 
 bool Corrections::same_number(const Effect& effect, const EffectForm& form) const
 {
-    // a form with a name of its own changes something else, one of two masses, say; forms of gravity do not
-    return (form.name.empty() || effect.name == "gravity") && std::ranges::any_of(effects_, [&](const Effect& own) {
-               return own.name == effect.name && !is_small_term(own);
-           });
+    return !form.own_number && std::ranges::any_of(effects_, [&](const Effect& own) {
+        return own.name == effect.name && !is_small_term(own);
+    });
 }
 
 bool Corrections::is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const

@@ -1,6 +1,6 @@
 // Levenberg-Marquardt over a block of parameters, as named steps.
-#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/candidate_numbers.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/residuals.h"
 
 #include <algorithm>
@@ -26,11 +26,10 @@ constexpr double least_fall = 2e-4;  // of the objective in one step: less is it
 
 class Descent {
   public:
-    Descent(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
-            double omega, const Kept& kept)
-        : cases_(cases), candidate_(candidate), scales_(scales), omega_(omega), kept_(kept)
+    Descent(const FitProblem& problem, Eigen::VectorXd x, const Kept& kept)
+        : problem_(problem), candidate_(problem.candidate), kept_(kept)
     {
-        at_.x = bounded(candidate, std::move(x));
+        at_.x = bounded(candidate_, std::move(x));
         at_.information = Eigen::MatrixXd::Zero(size(), size());
         at_.evaluation = evaluated();
         jacobian_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residuals_.size()), size());
@@ -70,7 +69,7 @@ class Descent {
 
     Evaluation evaluated()
     {
-        auto found = evaluate(cases_, candidate_, in_si(candidate_, at_.x, scales_), omega_, &residuals_);
+        auto found = problem_.at(at_.x, &residuals_);
         found.objective += prior_cost(candidate_, at_.x);
         ++at_.evaluations;
         return found;
@@ -100,11 +99,11 @@ class Descent {
             Eigen::VectorXd shifted = at_.x;
             shifted[i] += step;
             if (bounded(candidate_, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
-            places.push_back({in_si(candidate_, shifted, scales_), omega_, number});
+            places.push_back({problem_.si(shifted), problem_.omega, number});
             steps.push_back(step);
         }
         const auto r = residuals();
-        const auto moved = residuals_at(cases_, candidate_, places, &residuals_);
+        const auto moved = residuals_at(problem_.cases, candidate_, places, &residuals_);
         Eigen::Index lost = size();
         for (std::size_t k = 0; k < places.size(); ++k) {
             const auto i = static_cast<Eigen::Index>(places[k].moved);
@@ -119,14 +118,14 @@ class Descent {
     void set_up_equations()
     {
         const auto r = residuals();
-        block_weights(cases_, residuals_, weights_);
+        block_weights(problem_.cases, residuals_, weights_);
         const Eigen::Map<const Eigen::VectorXd> w(weights_.data(), r.size());
         const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian_;
         normal_ = jacobian_.transpose() * weighted;
         gradient_ = weighted.transpose() * r;
         for (Eigen::Index i = 0; i < size() && candidate_.prior_weight > 0; ++i)
             if (const double sd = candidate_.sd_of(static_cast<std::size_t>(i)); sd > 0) {
-                const double row = candidate_.prior_weight * static_cast<double>(cases_.size()) / (sd * sd);
+                const double row = candidate_.prior_weight * static_cast<double>(problem_.cases.size()) / (sd * sd);
                 normal_(i, i) += row;
                 gradient_[i] += row * (at_.x[i] - prior_mean(candidate_, static_cast<std::size_t>(i)));
             }
@@ -153,12 +152,12 @@ class Descent {
         std::vector<Eigen::VectorXd> next;
         for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder) {
             next.push_back(damped_step(by));
-            places.push_back({in_si(candidate_, next.back(), scales_), omega_});
+            places.push_back({problem_.si(next.back()), problem_.omega});
         }
-        auto there = residuals_at(cases_, candidate_, places);
+        auto there = residuals_at(problem_.cases, candidate_, places);
         for (std::size_t k = 0; k < next.size(); ++k) {
             ++at_.evaluations;
-            auto trial = judged(cases_, there[k]);
+            auto trial = judged(problem_.cases, there[k]);
             trial.objective += prior_cost(candidate_, next[k]);
             if (!(trial.objective < at_.evaluation.objective)) {
                 damping_ = std::max(usual_damping, damping_) * harder;
@@ -179,10 +178,8 @@ class Descent {
         if (at_.evaluation.objective <= best_.evaluation.objective) best_ = at_;
     }
 
-    const std::vector<Case>& cases_;
+    const FitProblem& problem_;
     const Candidate& candidate_;
-    const Scales& scales_;
-    const double omega_;
     const Kept& kept_;
     LevelFit at_, best_;
     std::vector<double> residuals_, weights_;
@@ -205,21 +202,20 @@ std::optional<double> across_a_jump(double x)
 
 }  // namespace
 
-LevelFit descend_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                       Eigen::VectorXd x, double omega, int iterations, const Kept& kept)
+LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, const Kept& kept)
 {
-    LevelFit fit = Descent(cases, candidate, scales, std::move(x), omega, kept).run(iterations);
-    for (std::size_t i = 0; i < candidate.parameter_count() && iterations > 1; ++i) {
+    LevelFit fit = Descent(problem, std::move(x), kept).run(iterations);
+    for (std::size_t i = 0; i < problem.candidate.parameter_count() && iterations > 1; ++i) {
         const auto at = static_cast<Eigen::Index>(i);
-        if (!candidate.parameter(i).jumps || (!kept.empty() && kept[i])) continue;
+        if (!problem.candidate.parameter(i).jumps || (!kept.empty() && kept[i])) continue;
         const auto other = across_a_jump(fit.x[at]);
         if (!other) continue;
         // slopes do not lead across: from there the others go on beside it
-        Kept beside = kept.empty() ? Kept(candidate.parameter_count(), 0) : kept;
+        Kept beside = kept.empty() ? Kept(problem.candidate.parameter_count(), 0) : kept;
         beside[i] = 1;
         Eigen::VectorXd there = fit.x;
         there[at] = *other;
-        Descent descent(cases, candidate, scales, there, omega, beside);
+        Descent descent(problem, there, beside);
         ++fit.evaluations;
         if (!(descent.objective() < fit.evaluation.objective)) continue;
         const int before = fit.evaluations;

@@ -1,5 +1,6 @@
 // An effect of the catalogue: a named, parameterised edit of the joint's description, and what is known of it.
 #pragma once
+#include "analysis/diagnosis/fit/joint_edits.h"
 #include "analysis/joint/joint.h"
 
 #include <span>
@@ -9,6 +10,10 @@
 namespace stickslip::gap {
 
 struct FreeForce;
+
+/// Where in the chain of a joint an effect acts; a correction is of a number that the document may have wrong.
+enum class Stage { friction, mechanism, actuator, controller, sensor, outside, correction };
+std::string_view name_of(Stage stage);
 
 /// What a body feels and does behind a reduction, per effort of the motor and per motion that the encoder sees.
 struct Reflected {
@@ -78,6 +83,9 @@ struct EffectParameter {
     bool vanishes = false;  ///< a change from 0; beyond some value nothing is left of what it changes
     /// The misfit jumps at whole units: an effort that arrives just behind a tick is not yet in the row of that tick.
     bool jumps = false;
+    bool factor = false;         ///< on a documented number: 1 changes nothing
+    bool size = false;           ///< how large the effect is; of forms without one the first parameter is
+    double meanwhile = not_set;  ///< in units of `scale`, while the size varies; not set: `prior`, or in proportion
 };
 
 /// A form of the catalogue by its names.
@@ -101,12 +109,17 @@ struct EffectForm {
     /// Effects whose motion is the very same as one that this form makes with fewer parameters, and that joints do
     /// have: friction whose level alone differs by direction, a base that is tilted.
     std::vector<std::string_view> same_motion{};
+    bool own_number = false;       ///< of another number than the effect's first form, as that of the other body
+    bool encoder_on_link = false;  ///< moves the encoder of a joint documented as one mass behind its transmission
+    bool effort_alone = false;  ///< moves the joint as a likelier effect does: only a measured effort tells them apart
+    /// Of two known masses with backlash: where the link rests within it at the start of an excerpt is not known.
+    bool needs_history = false;
     int apart = -1;  ///< parameter of which every seeded value gets a descent of its own; −1: none
 };
 
 struct Effect {
     std::string_view name;
-    std::string_view stage;      ///< friction | mechanism | actuator | controller | sensor | outside
+    Stage stage = Stage::friction;
     std::string_view form;       ///< formula in words
     std::string_view source;     ///< who described it
     std::string_view signature;  ///< that a true one leaves
@@ -115,7 +128,17 @@ struct Effect {
     /// The first form with more freedom of shape, its further parameters behind its own. It is not searched for: in a
     /// ladder it takes the place of the first form where it predicts better, so that the name survives another shape.
     std::vector<EffectForm> flexible{};
+    bool of_transmission =
+        false;                ///< divides the mass, or edits what lies between two: ten times as slow as the others
+    bool in_command = false;  ///< a logged command shows it: the audit of the controller judges it
+    bool read_off = false;    ///< the readings show it without any fit
+    /// Of an actuator, and what a wrong scale of the measured effort looks like, too.
+    bool scales_reading = false;
 };
+
+/// A factor on a documented number.
+EffectParameter factor_on_number(double low, double high, double prior, std::string_view help,
+                                 std::string_view name = "factor");
 
 /// The catalogue, in the order of the chain: friction, mechanism, actuator, controller, sensor, outside. Edits that
 /// change the model of the joint come after edits of its numbers.
@@ -127,30 +150,9 @@ const Effect* effect_named(std::string_view name);
 /// SI value of one unit of a scale.
 double unit_of(Scale scale, const Scales& scales);
 
-/// The friction that an edit means: the joint's own, or of the body that carries most of it.
-Friction& main_friction(Joint& joint);
-/// Changes the Coulomb level of any law that has one; never below zero.
-void shift_coulomb(Friction& friction, double change);
-double coulomb_force(const Friction& friction);
-double viscous_slope(const Friction& friction);
-/// Changes the viscous slope of any law that has one; never below zero.
-void shift_viscous(Friction& friction, double change);
-/// Turns a law without a Stribeck peak into the same law with one.
-void set_stribeck(Friction& friction, double c2, double c3, double c4);
-/// The c2 of a law with a Stribeck peak, 0 of others.
-double stribeck_peak(const Friction& friction);
-/// Changes it; a law without a peak stays as it is.
-void set_stribeck_peak(Friction& friction, double c2);
-/// Divides a single mass into motor and link with a spring; its friction is shared out likewise, the load acts on the
-/// link.
-void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share);
-/// Adds sine·sin(x) + cosine·cos(x) to amplitude·sin(x + phase).
-void add_wave(double& amplitude, double& phase, double sine, double cosine);
 /// Forms of a wave over the position with parameters sine, cosine, periods: with its second harmonic, sine and cosine.
 EffectForm with_second_harmonic(EffectForm form, void (*apply)(Joint& joint, const double* p));
 /// Sine, cosine, periods, and the second harmonic's sine and cosine.
 void add_harmonics(PositionRipple& ripple, const double* p);
-bool is_single_mass(const Joint& joint);
-bool is_two_mass(const Joint& joint);
 
 }  // namespace stickslip::gap

@@ -1,8 +1,7 @@
 #include "analysis/diagnosis/fit/fit.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
-
-#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/residuals.h"
 #include "analysis/joint/drive.h"
 #include "analysis/numerics/optimise.h"
@@ -63,21 +62,10 @@ std::vector<Evaluation> evaluate_all(const std::vector<Case>& cases, const Candi
     return all;
 }
 
-LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
-                 double omega, int iterations)
+LevelFit search_rough(const FitProblem& problem, Eigen::VectorXd x, int evaluations, double first_step,
+                      const Kept& kept)
 {
-    return descend_block(cases, candidate, scales, std::move(x), omega, iterations, {});
-}
-
-LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                      Eigen::VectorXd x, double omega, int evaluations, double first_step)
-{
-    return search_block(cases, candidate, scales, std::move(x), omega, evaluations, first_step, {});
-}
-
-LevelFit search_block(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                      Eigen::VectorXd x, double omega, int evaluations, double first_step, const Kept& kept)
-{
+    const Candidate& candidate = problem.candidate;
     LevelFit fit;
     const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
     fit.x = bounded(candidate, std::move(x));
@@ -89,7 +77,7 @@ LevelFit search_block(const std::vector<Case>& cases, const Candidate& candidate
     const auto objective = [&](const std::vector<double>& values) {
         ++count;
         for (std::size_t k = 0; k < free.size(); ++k) at[free[k]] = values[k];
-        return evaluate(cases, candidate, in_si(candidate, at, scales), omega).objective + prior_cost(candidate, at);
+        return problem.at(at).objective + prior_cost(candidate, at);
     };
     Minimisation rough{SearchMethod::simplex, {}, {}, evaluations};
     rough.ftol_rel = 1e-4;
@@ -103,7 +91,7 @@ LevelFit search_block(const std::vector<Case>& cases, const Candidate& candidate
     }
     start = minimum(rough, objective, std::move(start));
     for (std::size_t k = 0; k < free.size(); ++k) fit.x[free[k]] = start[k];
-    fit.evaluation = evaluate(cases, candidate, in_si(candidate, fit.x, scales), omega);
+    fit.evaluation = problem.at(fit.x);
     fit.evaluation.objective += prior_cost(candidate, fit.x);
     fit.information = Eigen::MatrixXd::Zero(n, n);
     fit.evaluations = count + 1;

@@ -135,21 +135,4 @@ Evaluation evaluate(const std::vector<Case>& cases, const Candidate& candidate, 
 std::vector<Evaluation> evaluate_all(const std::vector<Case>& cases, const Candidate& candidate,
                                      const std::vector<std::vector<double>>& si, const std::vector<double>& omega);
 
-struct LevelFit {
-    Eigen::VectorXd x;
-    Evaluation evaluation;
-    Eigen::MatrixXd information;  ///< JᵀWJ of the scaled residuals at x
-    int evaluations = 0;
-};
-
-/// Levenberg-Marquardt from x at one level. NLopt has no least-squares method; this one needs a third of its
-/// evaluations here, and gives the information matrix.
-LevelFit descend(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales, Eigen::VectorXd x,
-                 double omega, int iterations);
-
-/// NLopt's Nelder-Mead from x, for misfits without usable gradients (backlash, saturation). The first step is in
-/// logarithms or in parts of what is usual.
-LevelFit search_rough(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                      Eigen::VectorXd x, double omega, int evaluations, double first_step = 0.3);
-
 }  // namespace stickslip::gap

@@ -16,15 +16,14 @@ struct Residual {
     double span = 1;
 };
 
-std::vector<Residual> residuals(const std::vector<Case>& cases, const Candidate& base, const std::vector<double>& si,
-                                FrequencyGrid grid, double omega)
+std::vector<Residual> residuals(const FitProblem& problem, const std::vector<double>& si, FrequencyGrid grid)
 {
     std::vector<Residual> all;
     Innovation innovation;
-    for (const auto& c : cases) {
-        const Plant plant = flatten(edited(c.joint, base, si, c.number));
+    for (const auto& c : problem.cases) {
+        const Plant plant = flatten(edited(c.joint, problem.candidate, si, c.number));
         const auto command = known_command(plant, c.ticks);
-        predict(plant, c.ticks, command, omega, innovation);
+        predict(plant, c.ticks, command, problem.omega, innovation);
         Residual r;
         const std::size_t stride = std::max<std::size_t>(1, c.ticks.size() / most_samples);
         for (std::size_t k = 0; k + stride <= c.ticks.size(); k += stride) {
@@ -85,18 +84,19 @@ std::vector<double> powers_of(const std::vector<Residual>& all, double low, doub
 
 }  // namespace
 
-std::vector<double> grid_peaks(const std::vector<Case>& cases, const Scales& scales, const Candidate& base,
-                               const std::vector<double>& si, FrequencyGrid grid, double omega, std::size_t count)
+std::vector<double> grid_peaks(const FitProblem& problem, const std::vector<double>& si, FrequencyGrid grid,
+                               std::size_t count)
 {
-    const auto all = residuals(cases, base, si, grid, omega);
+    const auto all = residuals(problem, si, grid);
     if (all.empty()) return {};
     double span = 0;
     for (const auto& r : all) span = std::max(span, r.span);
     // half the resolution of the longest record; up to 1200 bins
     const double bin = (grid == FrequencyGrid::time ? 2.0 : 2.5) / span;  // numerical: 1/resolution
     const double low = (grid == FrequencyGrid::time ? 4.0 : 3.0) / span;  // numerical: half a wave
-    const double highest = grid == FrequencyGrid::time ? std::min(600.0, 0.5 * std::numbers::pi / cases[0].row_step)
-                                                       : 2000 / scales.position;
+    const double highest = grid == FrequencyGrid::time
+                               ? std::min(600.0, 0.5 * std::numbers::pi / problem.cases[0].row_step)
+                               : 2000 / problem.scales.position;
     const std::size_t bins = std::min<std::size_t>(grid == FrequencyGrid::time ? 1500 : 500,
                                                    static_cast<std::size_t>((highest - low) / bin) + 1);
     const auto powers = powers_of(all, low, bin, bins);
@@ -130,13 +130,14 @@ std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales
         for (std::size_t r = 1; r < single.records; ++r) seed.insert(seed.end(), own.begin(), own.end());
         return to_fit(single, seed);
     };
+    const FitProblem fastest{cases, base, scales, levels[0]};
     std::vector<Eigen::VectorXd> all;
     for (std::size_t i = 0; i < form.parameters.size(); ++i)
         if (const auto& p = form.parameters[i]; p.grid != FrequencyGrid::none) {
             // a weak force is hidden from a fast observer by the noise, one that changes fast from a slow one
-            auto peaks = grid_peaks(cases, scales, base, si, p.grid, levels[0], 3);
+            auto peaks = grid_peaks(fastest, si, p.grid, 3);
             constexpr double same = 0.02;
-            for (double f : grid_peaks(cases, scales, base, si, p.grid, levels[1], 2))
+            for (double f : grid_peaks(fastest.with_bandwidth(levels[1]), si, p.grid, 2))
                 if (std::ranges::none_of(peaks, [&](double other) { return std::abs(f - other) < same * other; }))
                     peaks.push_back(f);
             for (double f : peaks) {

@@ -53,7 +53,7 @@ void Corrections::add_small_term(const Effect& effect, const EffectForm& form, c
     }
     Effect& e = effects_.emplace_back();
     e.name = effect.name;
-    e.stage = "correction";
+    e.stage = Stage::correction;
     e.forms.push_back(std::move(small));
     sds_.push_back(std::move(sds));
 }

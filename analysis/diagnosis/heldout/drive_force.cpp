@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/heldout/drive_force.h"
 
+#include "analysis/diagnosis/fit/problem.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +45,7 @@ std::vector<double> squares_of(const std::vector<Case>& cases, const std::vector
     std::vector<double> squares;
     for (const auto& fold : folds) {
         const Case& c = cases[fold.record];
-        const auto x = descend(without(cases, fold), a.candidate, scales, a.x[level], observer, iterations).x;
+        const auto x = descend({without(cases, fold), a.candidate, scales, observer}, a.x[level], iterations).x;
         const auto force =
             missing_force(c, edited(c.joint, a.candidate, in_si(a.candidate, x, scales), c.number), corner);
         double sum = 0, n = 0;

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/heldout/heldout.h"
 
-#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/candidate_numbers.h"
+#include "analysis/diagnosis/fit/problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales
         const auto others = without(cases, {i});
         bool alone = false;
         for (std::size_t e = 0; e < cause.candidate.effects.size(); ++e) {
-            if (cause.candidate.effects[e]->stage == "correction") continue;
+            if (cause.candidate.effects[e]->stage == Stage::correction) continue;
             const double here = worth_of(e, {cases[i]}, scales, cause);
             alone = alone || (here > 0 && worth_of(e, others, scales, cause) < hardly * here);
         }
@@ -136,10 +136,10 @@ Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& s
     constexpr double first_step = 0.03;
     constexpr int evaluations = 40;
     const Kept kept = of_the_fold(found.candidate, fold, c.number);
-    const auto refit = rough ? search_block(rest, found.candidate, scales, found.x[level], levels[level], evaluations,
-                                            first_step, kept)
-                             : descend_block(rest, found.candidate, scales, found.x[level], levels[level], few, kept);
-    return edited(c.joint, found.candidate, in_si(found.candidate, refit.x, scales), c.number);
+    const FitProblem problem{rest, found.candidate, scales, levels[level]};
+    const auto refit = rough ? search_rough(problem, found.x[level], evaluations, first_step, kept)
+                             : descend(problem, found.x[level], few, kept);
+    return edited(c.joint, found.candidate, problem.si(refit.x), c.number);
 }
 
 /// The gap of every signal over all folds, and the interval of the folds one by one.

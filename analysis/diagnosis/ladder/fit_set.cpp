@@ -1,8 +1,8 @@
 #include "analysis/diagnosis/ladder/fit_set.h"
 
-#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -109,7 +109,7 @@ void SetFitter::look(Start& s, const FittedSet& below) const
         if (!first && looks[i].objective < looks[at->second].objective) at->second = i;
     }
     for (const auto& [value, i] : nearest) {
-        auto found = improve(part, model.candidate, scales_, begun[i], omega, first_effort, first_steps);
+        auto found = improve({part, model.candidate, scales_, omega}, begun[i], first_effort, first_steps);
         if (s.x0.size() > 0 && !(found.evaluation.objective < s.objective)) continue;
         s.x0 = std::move(found.x);
         s.objective = found.evaluation.objective;
@@ -119,17 +119,18 @@ void SetFitter::look(Start& s, const FittedSet& below) const
 LevelFit SetFitter::improved(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
                              int effort, int steps, Waves waves) const
 {
+    const FitProblem problem{cases, candidate, scales_, omega};
     // what is jagged is searched, not descended, and near its start
-    if (waves == Waves::move || jagged(candidate)) return improve(cases, candidate, scales_, x, omega, effort, steps);
+    if (waves == Waves::move || jagged(candidate)) return improve(problem, x, effort, steps);
     Kept kept;
     for (std::size_t i = 0; i < candidate.parameter_count(); ++i)
         kept.push_back(candidate.parameter(i).grid != FrequencyGrid::none);
-    return descend_block(cases, candidate, scales_, x, omega, steps, kept);
+    return descend(problem, x, steps, kept);
 }
 
 LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) const
 {
-    return improve(data_.fitted(), corrections_.beside(causes).candidate, scales_, x0, omega, effort, steps);
+    return improve({data_.fitted(), corrections_.beside(causes).candidate, scales_, omega}, x0, effort, steps);
 }
 
 FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) const

@@ -2,6 +2,7 @@
 // the nuisance parameters refitted on both sides of every comparison.
 #pragma once
 #include "analysis/diagnosis/fit/corrections.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/ladder/windows.h"
 #include "analysis/diagnosis/policy/rules.h"
 #include "analysis/diagnosis/search/attribute.h"

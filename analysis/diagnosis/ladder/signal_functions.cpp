@@ -89,8 +89,9 @@ FunctionsOfSignals::FunctionsOfSignals(const std::vector<Case>& cases, const Sca
             if (c.ticks.logged[k])
                 low_ = std::min(low_, c.ticks.position[k]), high_ = std::max(high_, c.ticks.position[k]);
     high_ = std::max(high_, low_ + 1e-12);
-    in_time_ = grid_peaks(cases, scales, candidate, si, FrequencyGrid::time, omega, waves);
-    in_position_ = grid_peaks(cases, scales, candidate, si, FrequencyGrid::position, omega, waves);
+    const FitProblem problem{cases, candidate, scales, omega};
+    in_time_ = grid_peaks(problem, si, FrequencyGrid::time, waves);
+    in_position_ = grid_peaks(problem, si, FrequencyGrid::position, waves);
     forces(signals(cases[0], candidate, si), [&](std::string_view kind, const auto&) { motion_.push_back(kind); });
     drive_.assign(static_cast<std::size_t>(of_drive(signals(cases[0], candidate, si)).cols()), "effort");
 }

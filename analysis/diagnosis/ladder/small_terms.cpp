@@ -2,7 +2,7 @@
 // for in what the nearest cause leaves and in what a whole ladder leaves, and are corrections from then on.
 #include "analysis/diagnosis/ladder/climber.h"
 
-#include "analysis/diagnosis/fit/block.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -40,11 +40,11 @@ struct Behind {
         Kept kept(static_cast<std::size_t>(all.size()), 0);
         for (std::size_t i = 0; i < term.parameter_count(); ++i)
             kept[static_cast<std::size_t>(x.size()) + i] = term.parameter(i).quantity != Quantity::effort;
-        return descend_block(cases, with(), scales, all, omega, steps, kept);
+        return descend({cases, with(), scales, omega}, all, steps, kept);
     }
     LevelFit fit_without(const std::vector<Case>& cases) const
     {
-        return descend_block(cases, model, scales, x, omega, steps, {});
+        return descend({cases, model, scales, omega}, x, steps);
     }
     Candidate with() const
     {

@@ -55,13 +55,12 @@ struct Sized {
             scaled.push_back(i == parameter ? size : beside(candidate.parameter(i), size));
         return in_si(candidate, to_fit(candidate, scaled), scales);
     }
-    /// What another parameter is meanwhile: a second change is none, a second level keeps its share, a contact is
-    /// stiff, the rest is as usual.
+    /// What another parameter is meanwhile: a second change is none, a second level keeps its share, all else is as
+    /// usual.
     double beside(const EffectParameter& p, double size) const
     {
-        constexpr double stiff = 2e4;  // of effort over span
         if (!p.logarithmic && p.low < 0) return 0;
-        if (p.name == "stiffness") return stiff;
+        if (is_set(p.meanwhile)) return p.meanwhile;
         if (p.logarithmic && p.scale == of().scale) return p.prior / of().prior * size;
         return p.prior;
     }
@@ -84,11 +83,11 @@ struct Sized {
 Sized sized(const Effect& effect, const EffectForm& form)
 {
     Sized s{{{&effect}, {&form}, 1}};
-    for (std::size_t i = 0; effect.name == "compliance" && i < form.parameters.size(); ++i)
-        if (form.parameters[i].name.starts_with("stiffness")) s.parameter = i;
+    for (std::size_t i = 0; i < form.parameters.size(); ++i)
+        if (form.parameters[i].size) s.parameter = i;
     const EffectParameter& p = s.of();
     // only of a factor on something that may be more or less: a softer transmission is less, all the way down
-    s.factor = p.name == "factor";
+    s.factor = p.factor && !effect.of_transmission;
     return s;
 }
 

@@ -2,9 +2,9 @@
 
 #include "analysis/diagnosis/fit/effect.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/rig/rig_answer.h"
 #include "analysis/diagnosis/rig/rig_experiment.h"
 #include "analysis/diagnosis/rig/rig_laws.h"
-#include "analysis/diagnosis/rig/rig_tell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,15 +58,6 @@ std::vector<std::size_t> ranked(const std::vector<Entry>& entries)
     return order;
 }
 
-std::string_view unit_of_parameter(std::string_view name, Motion motion)
-{
-    if (name == "coefficient") return unit_of(Quantity::number, Units(motion));
-    if (name == "L") return unit_of(Quantity::position, Units(motion));
-    if (name == "time_constant") return unit_of(Quantity::time, Units(motion));
-    if (name == "slope") return unit_of(Quantity::damping, Units(motion));
-    return unit_of(Quantity::effort, Units(motion));
-}
-
 Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entry& level, Motion motion)
 {
     Cause c;
@@ -83,8 +74,8 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
     if (const Effect* effect = effect_named(effect_of(rival, e))) c.signature_text = effect->signature;
     const RigNumbers& p = e.fit.p;
     for (std::size_t n = 0; n < rival.parameters.size(); ++n)
-        c.parameters.push_back({c.names[0] + "." + rival.parameters[n], p[n + 1], not_set,
-                                std::string(unit_of_parameter(rival.parameters[n], motion))});
+        c.parameters.push_back({c.names[0] + "." + rival.parameters[n].name, p[n + 1], not_set,
+                                std::string(unit_of(rival.parameters[n].quantity, Units(motion)))});
     if (p.size() > 3) {
         c.parameters.push_back(
             {c.names[0] + ".V_star", rig.speed, not_set, std::string(unit_of(Quantity::velocity, Units(motion)))});
@@ -173,7 +164,7 @@ std::vector<Record> long_enough(const std::vector<Record>& records, Diagnosis& d
 }
 
 /// The one cause as a ladder of one rung.
-void tell_one_rung(Diagnosis& d)
+void report_one_rung(Diagnosis& d)
 {
     if (d.verdict != Verdict::gap || d.effects.empty()) return;
     d.ladder.push_back({d.effects[0].names, std::clamp(d.overall.explained, 0.0, 1.0), d.overall.interval,
@@ -221,7 +212,7 @@ DiagnosisResult diagnose_rig(const Joint& joint, const std::vector<Record>& give
         d.reasons.push_back({Note::Code::rig_no_law_predicts});
     }
     d.traces = traces_of(rig, records, best.law, entries[order[0]].fit.p);
-    tell_one_rung(d);
+    report_one_rung(d);
     return result;
 }
 

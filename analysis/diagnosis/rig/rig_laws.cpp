@@ -41,15 +41,16 @@ bool left_out(std::size_t k, int fold)
 
 const std::vector<RigRival>& rig_rivals()
 {
+    constexpr RigParameter a{"A", Quantity::effort}, b{"B", Quantity::effort};
     static const std::vector<RigRival> all{
         {RigLaw::level, "coulomb-level", "", {}},
-        {RigLaw::velocity, "viscous", "", {"slope"}},
-        {RigLaw::logarithm, "stribeck", "logarithmic", {"per_logarithm"}},
-        {RigLaw::load, "load-dependent-friction", "", {"coefficient"}},
-        {RigLaw::drift, "friction-drift", "", {"change", "time_constant"}},
-        {RigLaw::slip, "frictional-memory", "slip", {"A", "B", "L"}},
-        {RigLaw::ageing, "frictional-memory", "ageing", {"A", "B", "L"}},
-        {RigLaw::time, "frictional-memory", "time", {"A", "B", "time_constant"}},
+        {RigLaw::velocity, "viscous", "", {{"slope", Quantity::damping}}},
+        {RigLaw::logarithm, "stribeck", "logarithmic", {{"per_logarithm", Quantity::effort}}},
+        {RigLaw::load, "load-dependent-friction", "", {{"coefficient", Quantity::number}}},
+        {RigLaw::drift, "friction-drift", "", {{"change", Quantity::effort}, {"time_constant", Quantity::time}}},
+        {RigLaw::slip, "frictional-memory", "slip", {a, b, {"L", Quantity::position}}},
+        {RigLaw::ageing, "frictional-memory", "ageing", {a, b, {"L", Quantity::position}}},
+        {RigLaw::time, "frictional-memory", "time", {a, b, {"time_constant", Quantity::time}}},
     };
     return all;
 }

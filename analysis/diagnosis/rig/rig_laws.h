@@ -1,6 +1,7 @@
 // Laws by which the slider of a friction rig may answer its load point, and their fit to a measured force.
 #pragma once
 #include "analysis/diagnosis/records/record.h"
+#include "analysis/results/quantity.h"
 
 #include <vector>
 
@@ -9,11 +10,16 @@ namespace stickslip::gap {
 /// What resists the slider beyond a constant level. V* is the load point's first speed.
 enum class RigLaw { level, velocity, logarithm, load, drift, slip, ageing, time };
 
+struct RigParameter {
+    const char* name;
+    Quantity quantity;
+};
+
 /// A law as a candidate cause: the effect of the catalogue that it is a form of.
 struct RigRival {
     RigLaw law;
     const char *effect, *form;
-    std::vector<const char*> parameters;  ///< after the spring's stiffness
+    std::vector<RigParameter> parameters;  ///< after the spring's stiffness
 };
 
 /// All of them, the constant level first.

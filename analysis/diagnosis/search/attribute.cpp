@@ -75,15 +75,13 @@ std::vector<Candidate> single_candidates(const std::vector<Case>& cases, const A
     const bool behind_effort = cases[0].ticks.source == CommandSource::measured;
     const bool effort = std::ranges::any_of(cases, [](const Case& c) { return c.ticks.has_effort; });
     for (const auto& e : effects()) {
-        if (e.name == "quantisation") continue;  // the audit reads it off the grid
-        const bool of_controller = e.name.starts_with("gain-k_") || e.name == "velocity-filter" ||
-                                   e.name == "feed-forward" || e.name == "dead-zone";
-        if (of_controller && (logged || behind_effort || audit.possible)) continue;
-        if (behind_effort && e.stage == "actuator" && e.name != "effort-gain") continue;  // it acts before the sensor
+        if (e.read_off) continue;
+        if (e.in_command && (logged || behind_effort || audit.possible)) continue;
+        if (behind_effort && e.stage == Stage::actuator && !e.scales_reading) continue;  // it acts before the sensor
         if (e.name == "velocity-filter" && audit.filter_seen) continue;
         for (const auto& f : e.forms) {
             if (f.own > 0 && cases.size() < 2) continue;
-            if (!effort && shows_in_effort_alone(f)) continue;
+            if (!effort && f.effort_alone) continue;
             Candidate c{{&e}, {&f}, cases.size()};
             if (c.applies(cases[0].joint)) all.push_back(c);
         }

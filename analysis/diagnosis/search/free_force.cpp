@@ -1,8 +1,8 @@
 // In one file: the free shapes and the one fit that they share.
 #include "analysis/diagnosis/search/free_force.h"
 
-#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
@@ -32,7 +32,7 @@ Effect effect_of(std::string_view name, std::vector<EffectParameter> parameters,
     form.apply_free = apply;
     Effect e;
     e.name = name;
-    e.stage = "outside";
+    e.stage = Stage::outside;
     e.forms.push_back(std::move(form));
     return e;
 }
@@ -221,10 +221,9 @@ std::vector<FreeFit> fit_free_forces(const Fit& context, const Corrections* corr
         LevelFit& fit = starts[i].fit;
         const std::size_t in_front = front.size() / beside.blocks().size();
         // first the force alone: hysteresis without a force shows nothing
-        fit = descend_block(part(shape), candidate, scales, beside.start(front), omega, iterations,
-                            beside.kept(in_front));
-        if (in_front > shape.given)
-            fit = descend_block(part(shape), candidate, scales, fit.x, omega, iterations, beside.kept(shape.given));
+        const FitProblem problem{part(shape), candidate, scales, omega};
+        fit = descend(problem, beside.start(front), iterations, beside.kept(in_front));
+        if (in_front > shape.given) fit = descend(problem, fit.x, iterations, beside.kept(shape.given));
     });
     const double by_load_error = gain_by_load_error(cases);
     std::vector<FreeFit> fits(shapes.size());
@@ -239,7 +238,7 @@ std::vector<FreeFit> fit_free_forces(const Fit& context, const Corrections* corr
         constexpr int few = 3;
         for (std::size_t l = 0; l < levels.size(); ++l) {
             const auto fit =
-                descend_block(part(shape), candidate, scales, a.x[l], levels[l], few, beside.kept(shape.given));
+                descend({part(shape), candidate, scales, levels[l]}, a.x[l], few, beside.kept(shape.given));
             const auto all = evaluate(cases, candidate, in_si(candidate, fit.x, scales), levels[l]);
             if (all.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = all;
         }

@@ -45,7 +45,7 @@ std::vector<Attribution> fit_parts(const Fit& fit, const std::vector<Attribution
     for (std::size_t i = 0; i < std::min(leading, singles.size()); ++i)
         if (const auto pair = parts_of(singles[i]))
             pairs.push_back(
-                as_screened(fit, *pair, improve(brief, *pair, fit.scales, singles[i].x[0], omega, full_effort)));
+                as_screened(fit, *pair, improve({brief, *pair, fit.scales, omega}, singles[i].x[0], full_effort)));
     refine_best(fit, pairs, pairs.size());
     return pairs;
 }
@@ -60,7 +60,7 @@ void fit_members_alone(const Fit& fit, std::vector<Attribution>& singles, const 
     fit.parallel(members.size(), [&](std::size_t i) {
         Attribution& a = members[i];
         const auto& part = needs_history(a.candidate) ? whole : brief;
-        a = as_screened(fit, a.candidate, improve(part, a.candidate, fit.scales, a.x[1], omega, full_effort));
+        a = as_screened(fit, a.candidate, improve({part, a.candidate, fit.scales, omega}, a.x[1], full_effort));
     });
     refine_best(fit, members, members.size());
     for (auto& member : members) {

@@ -1,7 +1,7 @@
 // In one file: one search for pairs, from first looks to finalists.
 #include "analysis/diagnosis/effects/catalogue.h"
-#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/search/search.h"
 
@@ -52,9 +52,10 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
 {
     using Start = std::pair<double, Eigen::VectorXd>;
     std::vector<Start> from;
+    const FitProblem problem{brief, p.both, scales, p.omega};
     const auto start = [&](const Eigen::VectorXd& of_b) -> Start {
         const Eigen::VectorXd x = join(p, p.a->x[0], of_b);
-        return {evaluate(brief, p.both, in_si(p.both, x, scales), p.omega).objective, x};
+        return {problem.at(x).objective, x};
     };
     const auto nearer = [](const Start& a, const Start& b) { return a.first < b.first; };
     const auto held = in_si(p.a->candidate, p.a->x[0], scales);
@@ -76,10 +77,10 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
     for (const auto& [objective, x] : from) {
         LevelFit fit;
         if (second_jagged)
-            fit = search_block(brief, p.both, scales, x, p.omega,
-                               2 * first_effort * static_cast<int>(p.b->candidate.parameter_count()), 0.3, kept);
+            fit = search_rough(problem, x, 2 * first_effort * static_cast<int>(p.b->candidate.parameter_count()), 0.3,
+                               kept);
         else
-            fit = descend_block(brief, p.both, scales, x, p.omega, first_look, jagged(p.a->candidate) ? kept : Kept{});
+            fit = descend(problem, x, first_look, jagged(p.a->candidate) ? kept : Kept{});
         evaluations += fit.evaluations;
         if (p.fit.x.size() == 0 || fit.evaluation.objective < p.fit.evaluation.objective) p.fit = fit;
     }
@@ -88,27 +89,27 @@ void look_at(Pair& p, const std::vector<Case>& brief, const Scales& scales)
 
 /// The best singles in their other forms: which form one has may show only beside its partner. Where the best is
 /// backlash or a spring that holds for everything in the mechanism: alone, each inertia stands in for the other.
-std::vector<Attribution> other_forms(const std::vector<Attribution>& singles, std::size_t partners,
-                                     const std::vector<Case>& brief, std::size_t records, const Scales& scales,
-                                     double omega, const ParallelFor& parallel)
+std::vector<Attribution> other_forms(const Fit& fit, const std::vector<Attribution>& singles, std::size_t partners,
+                                     const std::vector<Case>& brief, double omega)
 {
+    const std::size_t records = fit.cases.size();
     std::vector<Attribution> others;
     const bool effort = std::ranges::any_of(brief, [](const Case& c) { return c.ticks.has_effort; });
     for (std::size_t i = 0; i < singles.size(); ++i) {
         const Candidate& best = singles[i].candidate;
-        const bool beside_backlash = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == "mechanism";
+        const bool beside_backlash = two_mass_edit(singles[0].candidate) && best.effects[0]->stage == Stage::mechanism;
         if (two_mass_edit(best) || (i >= partners && !beside_backlash)) continue;
         for (const auto& form : best.effects[0]->forms) {
             Attribution other;
             other.candidate = {best.effects, {&form}, records};
             const bool own = form.own > 0 && records < 2;
-            if (shows_in_effort_alone(form) && !effort) continue;
+            if (form.effort_alone && !effort) continue;
             if (&form != best.forms[0] && !own && other.candidate.applies(brief[0].joint)) others.push_back(other);
         }
     }
-    parallel(others.size(), [&](std::size_t i) {
-        const auto from = starts(brief, scales, others[i].candidate, {}, {});
-        if (!from.empty()) others[i].x.fill(best_of(brief, scales, others[i].candidate, from, omega).x);
+    fit.parallel(others.size(), [&](std::size_t i) {
+        const auto from = starts(brief, fit.scales, others[i].candidate, {}, {});
+        if (!from.empty()) others[i].x.fill(best_of({brief, others[i].candidate, fit.scales, omega}, from).x);
     });
     std::erase_if(others, [](const Attribution& a) { return a.x[0].size() == 0; });
     return others;
@@ -124,7 +125,7 @@ class PairSearch {
           omega_(screening_level(fit.nominal)),
           brief_(excerpts(fit.cases, omega_, brief_ticks, coarse)),
           whole_(uncut(fit.cases, coarse)),
-          forms_(other_forms(singles, partners, brief_, fit.cases.size(), fit.scales, omega_, fit.parallel))
+          forms_(other_forms(fit, singles, partners, brief_, omega_))
     {
     }
 
@@ -201,7 +202,7 @@ std::vector<Pair> PairSearch::beside_members_of(const Attribution& pair) const
 Attribution PairSearch::improved(Pair& p) const
 {
     const int looked = p.fit.evaluations;
-    p.fit = improve(part(p), p.both, fit_.scales, p.fit.x, p.omega, full_effort);
+    p.fit = improve({part(p), p.both, fit_.scales, p.omega}, p.fit.x, full_effort);
     p.fit.evaluations += looked;
     Attribution found = as_screened(fit_, p.both, p.fit);
     if (!jagged(p.both)) return found;

@@ -1,7 +1,6 @@
 // In one file: one search for the numbers of a cause, from screening to polish.
 #include "analysis/diagnosis/search/search.h"
 
-#include "analysis/diagnosis/fit/block.h"
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/policy/policy.h"
 
@@ -21,20 +20,17 @@ bool jagged(const Candidate& candidate)
 
 bool two_mass_edit(const Candidate& candidate)
 {
-    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
-                       [](const auto* e) { return e->name == "compliance" || e->name == "backlash"; });
+    return std::ranges::any_of(candidate.effects, [](const auto* e) { return e->of_transmission; });
 }
 
 bool moves_encoder(const Candidate& candidate)
 {
-    return std::ranges::any_of(candidate.forms, [](const auto* f) { return f->name.ends_with("encoder-on-link"); });
+    return std::ranges::any_of(candidate.forms, [](const auto* f) { return f->encoder_on_link; });
 }
 
 bool needs_history(const Candidate& candidate)
 {
-    for (std::size_t i = 0; i < candidate.effects.size(); ++i)
-        if (candidate.effects[i]->name == "backlash" && candidate.forms[i]->name == "two-mass") return true;
-    return false;
+    return std::ranges::any_of(candidate.forms, [](const auto* f) { return f->needs_history; });
 }
 
 bool better(const Attribution& a, const Attribution& b)
@@ -42,10 +38,10 @@ bool better(const Attribution& a, const Attribution& b)
     return a.score < b.score;
 }
 
-LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                 const Eigen::VectorXd& x, double omega, int effort, int descents)
+LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort, int descents)
 {
-    if (!jagged(candidate)) return descend(cases, candidate, scales, x, omega, descents);
+    const Candidate& candidate = problem.candidate;
+    if (!jagged(candidate)) return descend(problem, x, descents);
     Kept smooth, rough;  // which parameters the misfit is jagged in, and which not
     for (const auto* f : candidate.forms) {
         smooth.resize(smooth.size() + candidate.count_of(*f), !f->rough);
@@ -53,24 +49,22 @@ LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, con
     }
     const auto searched = static_cast<int>(std::count(rough.begin(), rough.end(), 1));
     constexpr double first_step = 0.3;
-    if (searched == static_cast<int>(rough.size()))
-        return search_rough(cases, candidate, scales, x, omega, effort * searched, first_step);
+    if (searched == static_cast<int>(rough.size())) return search_rough(problem, x, effort * searched, first_step);
     // in turn: a simplex over all of them would get lost
     constexpr int turns = 2;
     LevelFit fit;
     fit.x = x;
     int evaluations = 0;
     for (int turn = 0; turn < turns; ++turn) {
-        fit = descend_block(cases, candidate, scales, fit.x, omega, std::max(2, descents / 3), rough);
+        fit = descend(problem, fit.x, std::max(2, descents / 3), rough);
         evaluations += fit.evaluations;
-        fit = search_block(cases, candidate, scales, fit.x, omega, effort * searched / turns,
-                           turn == 0 ? first_step : 0.1 * first_step, smooth);
+        fit =
+            search_rough(problem, fit.x, effort * searched / turns, turn == 0 ? first_step : 0.1 * first_step, smooth);
         evaluations += fit.evaluations;
     }
     constexpr Eigen::Index few = 3;
     if (fit.x.size() <= few) {  // backlash and inertia make up for each other: in turn they creep along a narrow valley
-        fit = search_rough(cases, candidate, scales, fit.x, omega, effort * static_cast<int>(fit.x.size()),
-                           0.1 * first_step);
+        fit = search_rough(problem, fit.x, effort * static_cast<int>(fit.x.size()), 0.1 * first_step);
         evaluations += fit.evaluations;
     }
     fit.evaluations = evaluations;
@@ -79,22 +73,22 @@ LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, con
 
 namespace {
 
-/// Of each of these places at one level.
-std::vector<double> objectives(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                               const std::vector<Eigen::VectorXd>& at, double omega)
+/// Of each of these parameters.
+std::vector<double> objectives(const FitProblem& problem, const std::vector<Eigen::VectorXd>& at)
 {
     std::vector<std::vector<double>> si;
-    for (const auto& x : at) si.push_back(in_si(candidate, x, scales));
+    for (const auto& x : at) si.push_back(problem.si(x));
     std::vector<double> all;
-    for (const auto& e : evaluate_all(cases, candidate, si, {omega})) all.push_back(e.objective);
+    for (const auto& e : evaluate_all(problem.cases, problem.candidate, si, {problem.omega}))
+        all.push_back(e.objective);
     return all;
 }
 
 }  // namespace
 
-LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
-                 const std::vector<Eigen::VectorXd>& from, double omega, int effort, int descents)
+LevelFit best_of(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from, int effort, int descents)
 {
+    const Candidate& candidate = problem.candidate;
     std::vector<std::pair<double, std::size_t>> order;
     constexpr std::size_t few = 3;
     // of a force found on a grid only the frequency is known: before its descent no start is better than another
@@ -102,7 +96,7 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
         candidate.forms.size() == 1 && std::ranges::any_of(candidate.forms[0]->parameters,
                                                            [](const auto& p) { return p.grid != FrequencyGrid::none; });
     const bool rough = (from.size() > few && !combed) || jagged(candidate);
-    const auto objective = rough ? objectives(cases, candidate, scales, from, omega) : std::vector<double>();
+    const auto objective = rough ? objectives(problem, from) : std::vector<double>();
     for (std::size_t i = 0; i < from.size(); ++i) order.emplace_back(rough ? objective[i] : 0, i);
     std::stable_sort(order.begin(), order.end());
     const int apart = candidate.forms.size() == 1 ? candidate.forms[0]->apart : -1;
@@ -120,19 +114,20 @@ LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Can
     LevelFit best;
     int evaluations = rough ? static_cast<int>(from.size()) : 0;
     for (const auto& [before, i] : order) {
-        auto fit = improve(cases, candidate, scales, from[i], omega, effort, descents);
+        auto fit = improve(problem, from[i], effort, descents);
         evaluations += fit.evaluations;
         if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
     }
-    if (constexpr double longer = levels[1]; jagged(candidate) && omega > longer) {
+    if (constexpr double longer = levels[1]; jagged(candidate) && problem.omega > longer) {
+        const FitProblem slower = problem.with_bandwidth(longer);
         // the slope towards the right backlash or limit is longer where a prediction has to hold for longer
-        const auto there = objectives(cases, candidate, scales, from, longer);
+        const auto there = objectives(slower, from);
         const auto start = static_cast<std::size_t>(std::min_element(there.begin(), there.end()) - there.begin());
         const int count = effort * static_cast<int>(candidate.parameter_count());
         constexpr double first_step = 0.3, near = 0.03;
-        auto fit = search_rough(cases, candidate, scales, from[start], longer, count, first_step);
+        auto fit = search_rough(slower, from[start], count, first_step);
         evaluations += static_cast<int>(from.size()) + fit.evaluations;
-        fit = search_rough(cases, candidate, scales, fit.x, omega, count / 2, near);
+        fit = search_rough(problem, fit.x, count / 2, near);
         evaluations += fit.evaluations;
         if (fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
     }
@@ -173,11 +168,11 @@ void refine(const Fit& context, const std::vector<Case>& part, Attribution& a)
             if (const double o = evaluate(part, a.candidate, in_si(a.candidate, from[i], scales), levels[l]).objective;
                 o < least)
                 least = o, start = i;
-        auto fit = improve(part, a.candidate, scales, from[start], levels[l], 12);
+        auto fit = improve({part, a.candidate, scales, levels[l]}, from[start], 12);
         a.evaluations += fit.evaluations;
         // the parameters of the middle bandwidth are reported: they and their errors come from all data
         if (l == 1 && !jagged(a.candidate))
-            fit = descend(cases, a.candidate, scales, fit.x, levels[l], 1);
+            fit = descend({cases, a.candidate, scales, levels[l]}, fit.x, 1);
         else
             fit.evaluation = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
         a.x[l] = fit.x;
@@ -231,7 +226,7 @@ void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size
     for (auto& a : ranked)
         if (some.size() < most && a.refined && jagged(a.candidate) && a.explained > promising) some.push_back(&a);
     const auto search = [&](Attribution& a, std::size_t l, const Eigen::VectorXd& from, int effort, double step) {
-        const auto fit = search_rough(part, a.candidate, context.scales, from, levels[l],
+        const auto fit = search_rough({part, a.candidate, context.scales, levels[l]}, from,
                                       effort * static_cast<int>(a.candidate.parameter_count()), step);
         a.evaluations += fit.evaluations + 1;
         auto there = evaluate(context.cases, a.candidate, in_si(a.candidate, fit.x, context.scales), levels[l]);

@@ -1,5 +1,6 @@
 // How candidates are searched: a first look on excerpts of the records, then all levels on all data.
 #pragma once
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/search/attribute.h"
 
 #include <vector>
@@ -23,13 +24,11 @@ bool needs_history(const Candidate& candidate);
 bool better(const Attribution& a, const Attribution& b);
 
 /// One descent, or a search of `effort` evaluations a parameter where the misfit is jagged.
-LevelFit improve(const std::vector<Case>& cases, const Candidate& candidate, const Scales& scales,
-                 const Eigen::VectorXd& x, double omega, int effort, int descents = iterations);
+LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort, int descents = iterations);
 
-/// The best of descents from the given starts at one level. With many starts, or a jagged misfit, all are evaluated
+/// The best of descents from the given starts. With many starts, or a jagged misfit, all are evaluated
 /// and the two best go on, or the best of each value that the form wants apart.
-LevelFit best_of(const std::vector<Case>& cases, const Scales& scales, const Candidate& candidate,
-                 const std::vector<Eigen::VectorXd>& from, double omega, int effort = full_effort,
+LevelFit best_of(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from, int effort = full_effort,
                  int descents = iterations);
 
 /// A candidate as it stands after a first look: judged on all data, everywhere at the same parameters.

@@ -25,7 +25,7 @@ std::vector<Attribution> fit_singles(const Fit& fit, const std::vector<Candidate
             const auto from = starts(cases, scales, some[i], {}, {});
             if (from.empty()) return;
             const auto& part = needs_history(some[i]) ? whole : brief;
-            forms[i] = as_screened(fit, some[i], best_of(part, scales, some[i], from, omega));
+            forms[i] = as_screened(fit, some[i], best_of({part, some[i], scales, omega}, from));
         });
         for (auto& f : forms) {
             if (f.x[0].size() == 0) continue;

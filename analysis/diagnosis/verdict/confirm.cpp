@@ -119,8 +119,7 @@ bool could_have_shown(const Fit& fit)
     for (const auto& e : effects())
         for (const auto& f : e.forms) {
             Candidate c{{&e}, {&f}, cases.size()};
-            if (c.applies(cases[0].joint) && e.name != "backlash" && e.name != "compliance" && e.name != "quantisation")
-                all.push_back(c);
+            if (c.applies(cases[0].joint) && !e.of_transmission && !e.read_off) all.push_back(c);
         }
     std::vector<double> shown(all.size(), 0);
     fit.parallel(all.size(), [&](std::size_t i) {

@@ -63,7 +63,7 @@ void hold_ladder_against_free_forces(const Fit& fit, const StageProgress& progre
 
 /// What explains to within noise with the document's numbers as they are is the answer, with a ladder of its own
 /// causes; unless beside corrections a part of it does as well, which then is.
-void tell_accepted(LadderSearch& search, const Fit& fit, Findings& f)
+void note_accepted(LadderSearch& search, const Fit& fit, Findings& f)
 {
     f.judged.ladder = search.of(*f.decision.winner);
     judge(f.judged, search.data(), fit);
@@ -222,7 +222,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
         f.by_ladder = false;
         hold_against_free_forces(fit, progress, f);
         f.judged = {};
-        tell_accepted(search, fit, f);
+        note_accepted(search, fit, f);
     }
     if (f.by_ladder) hold_ladder_against_free_forces(fit, progress, f);
     if (f.by_ladder) f.why_not = f.judged.why_not;

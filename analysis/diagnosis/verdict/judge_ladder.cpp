@@ -218,7 +218,7 @@ void judge(JudgedLadder& j, const HeldOutData& data, const Fit& fit)
     j.winner.refined = true;
     // its fit weighed by what it leaves: errors are those of the documented noise
     j.winner.information =
-        descend(fit.cases, j.winner.candidate, fit.scales, last.fit.x, levels[ladder_level], 1).information;
+        descend({fit.cases, j.winner.candidate, fit.scales, levels[ladder_level]}, last.fit.x, 1).information;
     j.corrections = last.model.corrections;
     j.noise_left = j.winner.accepted && at_floor(fit, j.winner);
     j.usual = usual_of_machines(ladder);

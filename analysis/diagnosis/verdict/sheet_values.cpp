@@ -48,7 +48,7 @@ constexpr SheetNumber sheet[] = {
      [](Joint& j) { return main_friction(j).ripple.amplitude; }},
 };
 
-bool tells_of(const SheetNumber& number, const Effect& effect, const EffectForm& form)
+bool is_about(const SheetNumber& number, const Effect& effect, const EffectForm& form)
 {
     if (number.effect != effect.name) return false;
     const bool has_line = std::ranges::any_of(
@@ -81,7 +81,7 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
     for (const auto& number : sheet) {
         bool changed = false, by_direction = false;
         for (std::size_t i = corrections; i < c.effects.size(); ++i) {
-            changed |= tells_of(number, *c.effects[i], *c.forms[i]);
+            changed |= is_about(number, *c.effects[i], *c.forms[i]);
             by_direction |= c.effects[i]->name == "asymmetric-friction";
         }
         const bool both_ways = number.effect == "coulomb-level" || number.effect == "viscous";

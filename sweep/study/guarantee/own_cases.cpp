@@ -84,8 +84,8 @@ std::vector<double> drawn_parameters(const gap::Candidate& candidate, Draw& draw
         const auto& p = candidate.parameter(i);
         double x = seed && i < seed->size() ? (*seed)[i] : 0;
         if (x == 0) x = p.prior * (p.logarithmic || p.low >= 0 ? 1 : draw.sign());
-        const bool change = !p.logarithmic && p.low < 0, factor = p.name.ends_with("factor");
-        if (factor)
+        const bool change = !p.logarithmic && p.low < 0;
+        if (p.factor)
             x = std::pow(x, size * draw.log_between(1, twice));
         else
             x *= (change || i == 0 ? size : 1) * draw.log_between(1 / twice, twice);

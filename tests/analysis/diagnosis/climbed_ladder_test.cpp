@@ -6,7 +6,7 @@
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"
-#include "tests/analysis/diagnosis/small_machine.h"
+#include "tests/analysis/diagnosis/ladder_search.h"
 #include "tests/in_order.h"
 
 #include <catch2/catch.hpp>
@@ -17,74 +17,7 @@
 using namespace stickslip;
 using namespace stickslip::gap;
 using stickslip::test::Machine;
-
-namespace {
-
-/// A ladder over two records of a machine, to be climbed with these causes.
-struct Search {
-    std::vector<Case> cases;
-    Scales scales;
-    Nominal nominal;
-    std::vector<Attribution> singles;
-    std::unique_ptr<LadderSearch> search;
-
-    Search(const Machine& m, std::initializer_list<const char*> causes, double dropped = 0)
-        : Search({m, m}, causes, dropped)
-    {
-    }
-    Search(const std::array<Machine, 2>& machines, std::initializer_list<const char*> causes, double dropped = 0)
-    {
-        std::vector<Note> notes;
-        std::mt19937 random(7);
-        std::uniform_real_distribution<double> uniform;
-        for (unsigned seed : {1u, 2u}) {
-            Record r = test::record_of(machines[seed - 1], seed, 5);
-            for (std::size_t k = 1; k < r.position.size(); ++k)  // an encoder that now and then holds a reading
-                if (uniform(random) < dropped) r.position[k] = r.position[k - 1];
-            cases.push_back(prepare(r, test::nominal_joint(), notes));
-            cases.back().number = cases.size() - 1;
-        }
-        begin(causes);
-    }
-    /// Anew with records that this joint would have logged in their place.
-    void simulate(const Joint& joint, std::initializer_list<const char*> causes)
-    {
-        for (auto& c : cases) {
-            const Trace trace = simulate_closed_loop(flatten(joint), c.ticks, c.number + 1);
-            c.ticks.position = trace.position, c.ticks.velocity = trace.velocity, c.ticks.command = trace.command;
-        }
-        singles.clear();
-        begin(causes);
-    }
-    void begin(std::initializer_list<const char*> causes)
-    {
-        scales = scales_of(cases);
-        nominal = judge_nominal(cases);
-        for (const char* name : causes) singles.push_back(single(name));
-        search = std::make_unique<LadderSearch>(Fit{cases, scales, nominal, test::in_order}, singles, policy::ladder);
-    }
-    /// A cause of the catalogue in its first form, "stribeck", or in the one behind a colon.
-    Attribution single(std::string_view cause) const
-    {
-        const auto colon = std::min(cause.find(':'), cause.size());
-        const Effect* e = effect_named(cause.substr(0, colon));
-        const auto form =
-            std::ranges::find(e->forms, cause.substr(std::min(colon + 1, cause.size())), &EffectForm::name);
-        Attribution a;
-        a.candidate = {{e}, {form == e->forms.end() ? &e->forms[0] : &*form}, cases.size()};
-        a.x.fill(to_fit(a.candidate, a.candidate.forms[0]->seeds[0]));
-        return a;
-    }
-    JudgedLadder judged(Ladder ladder) const
-    {
-        JudgedLadder j;
-        j.ladder = std::move(ladder);
-        judge(j, search->data(), {cases, scales, nominal, test::in_order});
-        return j;
-    }
-};
-
-}  // namespace
+using Search = LadderRecords;
 
 TEST_CASE("a number further off than documents are is freed beside a cause, though it earns no rung", "[gap][ladder]")
 {
@@ -369,46 +302,6 @@ TEST_CASE("a Stribeck peak of another shape than the catalogue's is one cause", 
     const auto ladder = climbed("stribeck:any-exponent");
     CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"stribeck"});
     CHECK(beyond_noise(ladder.last().all_left()) < 0.003 * beyond_noise(ladder.corrected.all_left()));
-}
-
-TEST_CASE("a curve that is followed late by less than can be told is a curve, and the late one is no rival of it",
-          "[gap][ladder][slow]")
-{
-    Machine m;
-    m.peak = 1;
-    const Search search(m, {"frictional-memory:lag"});
-    const auto ladder = search.search->climb({}, policy::ladder.most_rungs);
-    CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"stribeck"});
-    for (const auto& rivals : ladder.rivals)
-        for (const auto& r : rivals) CHECK(names_of(r.causes) != std::vector<std::string>{"frictional-memory"});
-}
-
-TEST_CASE("a falling curve, all of it followed late, is two causes; what falls late beside a slope that does not, one",
-          "[gap][ladder][slow]")
-{
-    for (const bool whole : {true, false}) {
-        INFO((whole ? "the whole curve is late" : "the peak alone is late"));
-        Search search(Machine{}, {});
-        Joint late = test::nominal_joint();
-        set_stribeck(late.friction, 1, 0.05, 2);
-        late.friction.memory.lag = 0.05, late.friction.memory.lag_viscous = whole;
-        search.simulate(late, {"frictional-memory:lag"});
-        const auto names = names_of(search.search->climb({}, policy::ladder.most_rungs).last().causes);
-        const std::vector<std::string> both{"stribeck", "frictional-memory"};
-        CHECK(names == (whole ? both : std::vector<std::string>{"frictional-memory"}));
-    }
-}
-
-TEST_CASE("a peak that hardly falls over the speeds of the records is a Coulomb level, beside numbers that are off",
-          "[gap][ladder]")
-{
-    Machine m;
-    m.coulomb = 2.6, m.viscous = 1.5 * 0.96, m.inertia = 1.2 * 0.96;
-    const Search search(m, {});
-    Attribution peak = search.single("stribeck:gaussian");
-    peak.x.fill(to_fit(peak.candidate, {0.6 / unit_of(Scale::friction_effort, search.scales), 3}));
-    const auto ladder = search.search->of(peak);
-    CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"coulomb-level"});
 }
 
 TEST_CASE("a divided mass on a spring that hardens is found by its stiffness at small stretches", "[gap][slow]")

@@ -4,7 +4,7 @@
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/controller_cause.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/tell_ladder.h"
+#include "analysis/diagnosis/verdict/report_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>

@@ -94,7 +94,7 @@ TEST_CASE("a descent finds back from where friction has been taken away altogeth
     const Candidate viscous = of({"viscous"});
     const double all_of_it = -1.5 / unit_of(Scale::damping, scales);
     // nothing depends on the change where all of the friction is gone
-    const auto fit = descend(cases, viscous, scales, to_fit(viscous, {3 * all_of_it}), levels[1], 12);
+    const auto fit = descend({cases, viscous, scales, levels[1]}, to_fit(viscous, {3 * all_of_it}), 12);
     CHECK(in_si(viscous, fit.x, scales)[0] == Approx(-1.2).epsilon(0.02));
     CHECK(fit.evaluation.records[0].position < 1.1);
 }
@@ -112,7 +112,7 @@ TEST_CASE("a dead time of whole ticks is found from just behind them, where the 
     const Trace trace = simulate_closed_loop(flatten(late), t, 5);
     t.position = trace.position, t.velocity = trace.velocity, t.command = trace.command, t.effort = trace.effort;
     const double tick = unit_of(Scale::tick, scales);
-    const auto fit = descend(cases, delay, scales, to_fit(delay, {0.00301 / tick}), levels[1], 12);
+    const auto fit = descend({cases, delay, scales, levels[1]}, to_fit(delay, {0.00301 / tick}), 12);
     CHECK(in_si(delay, fit.x, scales)[0] == Approx(0.003).epsilon(1e-4));
     CHECK(fit.evaluation.records[0].effort < 1.1);
 }

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
-#include "analysis/diagnosis/tell_findings.h"
+#include "analysis/diagnosis/report_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/decide.h"
 #include "tests/analysis/diagnosis/small_machine.h"
@@ -280,7 +280,7 @@ TEST_CASE("a filter that is the documented one, discretised exactly, is said to 
         Diagnosis d;
         d.effects.emplace_back();
         d.effects[0].parameters = {{"velocity-filter.tau", tau, error, "s"}};
-        tell_filter(p, d);
+        report_filter(p, d);
         return std::ranges::any_of(d.notes, [](const Note& n) { return n.code == Note::Code::filter_as_exponential; });
     };
     CHECK(said(same, 0));

@@ -1,12 +1,12 @@
 // A geared motor's loop counted at its own side, written out, against the same joint counted at the joint's side.
 #include "analysis/joint/loop_side.h"
 #include "analysis/stability/verdict.h"
+#include "tests/oracles/matrices.h"
 
 #include <catch2/catch.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <unsupported/Eigen/MatrixFunctions>
 
 using namespace stickslip;
 
@@ -47,14 +47,14 @@ double largest_multiplier(double torque_per_command, double drag)
     A(1, 1) -= (c_motor + drag) / J;
     A(3, 3) -= c_link / link;
     A(1, 4) = torque_per_command / J;  // the command is held
-    const Eigen::MatrixXd step = (A * T).exp();
+    const Eigen::MatrixXd step = test::exponential(A * T);
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(5, 5);
     M.topLeftCorner(4, 4) = step.topLeftCorner(4, 4);
     const Eigen::VectorXd push = step.col(4).head(4);
     M.col(0).head(4) -= push * (k_p + k_v / T);
     M.col(4).head(4) += push * (k_v / T);
     M(4, 0) = 1;
-    return M.eigenvalues().cwiseAbs().maxCoeff();
+    return test::spectral_radius(M);
 }
 
 }  // namespace

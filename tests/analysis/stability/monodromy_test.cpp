@@ -4,9 +4,9 @@
 #include "analysis/stability/real_loop.h"
 #include "tests/analysis/friction/sample_laws.h"
 #include "tests/analysis/simulation/joints.h"
+#include "tests/oracles/matrices.h"
 
 #include <catch2/catch.hpp>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <cmath>
 #include <deque>
@@ -20,7 +20,7 @@ namespace {
 /// command, hold.
 // the multipliers crowd around 1: their distance from it is what counts, and double loses it
 using Real = long double;
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Matrix = test::LongMatrix;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 constexpr double tie = 1e-9;  // of a tick: rounding of delay/T
 
@@ -76,7 +76,7 @@ struct TickByTick {
         wide.topRightCorner(n, 1) = B * h;
         Vector from(n + 1);
         from << x, w;
-        return (wide.exp() * from).head(n);
+        return (test::exponential(wide) * from).head(n);
     }
     Vector tick(const Vector& v) const
     {
@@ -109,7 +109,7 @@ struct TickByTick {
         if (!integrates()) M.row(sum_at()).setZero();
         if (!M.allFinite()) return not_set;
         balance(M);
-        return static_cast<double>(std::log(M.eigenvalues().cwiseAbs().maxCoeff()) / T);
+        return static_cast<double>(std::log(test::spectral_radius(M)) / T);
     }
 };
 

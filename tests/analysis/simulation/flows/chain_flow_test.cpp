@@ -1,4 +1,4 @@
-// Several bodies: the flow against the equations of motion that stand in joint/motion.h, against finite differences,
+// Several bodies: the flow against the equations of motion of tests/oracles/motion.h, against finite differences,
 // and in the limit of stiff springs against the single mass.
 #include "analysis/simulation/flows/chain_flow.h"
 

@@ -8,9 +8,9 @@
 #include "analysis/simulation/sampled/loop_verdict.h"
 #include "analysis/stability/real_loop.h"
 #include "tests/analysis/simulation/joints.h"
+#include "tests/oracles/matrices.h"
 
 #include <Eigen/Dense>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <deque>
 
@@ -28,10 +28,9 @@ double growth_of(double k_p, int dead_ticks)
     F(0, 1) = 1;
     F(1, 1) = -A / V / m, F(1, 2) = -1 / m, F(1, 3) = 1 / m;
     F(2, 1) = -B / L, F(2, 2) = -V / L;
-    const Eigen::Matrix4d step = (F * T).exp();
+    const Eigen::Matrix4d step = test::exponential(F * T);
     // and the last reading, and commands on their way, newest first
     const int n = 4 + dead_ticks;
-    using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;  // multipliers crowd around 1
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n);
     Eigen::RowVectorXd command = Eigen::RowVectorXd::Zero(n);
     command(0) = -k_p - k_v / T, command(3) = k_v / T;
@@ -41,7 +40,7 @@ double growth_of(double k_p, int dead_ticks)
     M.topRows(3) += step.topRightCorner(3, 1) * arriving;
     M(3, 0) = 1;
     for (int i = 0; i < dead_ticks; ++i) M.row(4 + i) = i == 0 ? command : Eigen::RowVectorXd::Unit(n, 3 + i);
-    return static_cast<double>(std::log(Matrix(M.cast<long double>()).eigenvalues().cwiseAbs().maxCoeff())) / T;
+    return static_cast<double>(std::log(test::spectral_radius(test::LongMatrix(M.cast<long double>())))) / T;
 }
 
 /// Half peak to peak of the joint's motion under Runge and Kutta's method in x, V and θ, 100 steps a tick.

@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/rig/rig_tell.h"
+#include "analysis/diagnosis/rig/rig_answer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "analysis/diagnosis/verdict/tell_ladder.h"
+#include "analysis/diagnosis/verdict/report_ladder.h"
 
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/reject.h"
-#include "analysis/diagnosis/verdict/tell_corrections.h"
+#include "analysis/diagnosis/verdict/report_corrections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ LadderRung rung_of(const JudgedLadder& j, const Cause& whole, const Effect& numb
     const double part = std::min(1.0, corrected / std::max(1e-300, taken_by_numbers(j)));
     rung.share = part * share.share, rung.interval = {part * share.low, part * share.high};
     for (const auto& parameter : whole.parameters)
-        if (parameter.name.starts_with(rung.names[0] + ".")) rung.parameters.push_back(parameter);
+        if (is_of(parameter, rung.names[0])) rung.parameters.push_back(parameter);
     rung.probability = 1 - policy::doubt_of_noise;
     return rung;
 }
@@ -60,7 +60,7 @@ LadderRung rung_of(const JudgedLadder& j, const Cause& whole, std::size_t i)
     rung.share = share.share, rung.interval = {share.low, share.high};
     for (const auto& parameter : whole.parameters)
         for (const auto& name : rung.names)
-            if (parameter.name.starts_with(name + ".")) rung.parameters.push_back(parameter);
+            if (is_of(parameter, name)) rung.parameters.push_back(parameter);
     for (const auto& rival : indistinguishable(j))
         if (rival.rung == i) rung.ambiguous_with.push_back(added_by(j.ladder, i, rival.set->causes));
     rung.probability = j.chances[i];
@@ -122,7 +122,7 @@ double chance_of_all(const JudgedLadder& j)
     return all;
 }
 
-void tell_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis& d)
+void report_ladder(const Prepared& p, const Findings& f, double audited, Diagnosis& d)
 {
     const double rest = 1 - audited;
     if (!p.audit.findings.empty()) {
@@ -190,7 +190,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
         c.names = j.numbers.empty() ? that_matter(p, j) : j.with_numbers({});
         c.signature_text = "in proportion to the numbers that are off";
         std::erase_if(c.parameters, [&](const auto& parameter) {
-            return std::ranges::none_of(c.names, [&](const auto& n) { return parameter.name.starts_with(n + "."); });
+            return std::ranges::none_of(c.names, [&](const auto& n) { return is_of(parameter, n); });
         });
         c.heldout_gain = 1 - std::sqrt(j.shares.base / std::max(1e-300, j.shares.documented));
         causes.push_back(std::move(c));

@@ -1,4 +1,4 @@
-#include "analysis/diagnosis/verdict/tell_corrections.h"
+#include "analysis/diagnosis/verdict/report_corrections.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/policy.h"

@@ -1,10 +1,10 @@
-#include "analysis/diagnosis/tell_findings.h"
+#include "analysis/diagnosis/report_findings.h"
 
 #include "analysis/diagnosis/heldout/drive_force.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/tell_ladder.h"
+#include "analysis/diagnosis/verdict/report_ladder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double two_sided_95 = 1.96;  // standard deviations
 
 }  // namespace
 
-void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
+void report_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
 {
     const JudgedLadder& j = f.judged;
     if (j.only_corrections && j.noise_left && !p.audit.findings.empty()) {
@@ -52,7 +52,7 @@ void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& 
     std::ranges::stable_sort(d.effects, std::greater{}, &Cause::probability);
 }
 
-void tell_unexplained(const Findings& f, Diagnosis& d)
+void report_unexplained(const Findings& f, Diagnosis& d)
 {
     d.reasons.push_back({.code = Note::Code::unexplained, .values = {1 - f.decision.best_explained}});
     if (f.free.empty() || !(f.free[0].fit.explained > policy::worth_a_hint)) return;
@@ -60,7 +60,7 @@ void tell_unexplained(const Findings& f, Diagnosis& d)
         {.code = Note::Code::free_force, .signal = std::string(f.free[0].of), .values = {f.free[0].fit.explained}});
 }
 
-void tell_filter(const Prepared& p, Diagnosis& d)
+void report_filter(const Prepared& p, Diagnosis& d)
 {
     if (d.effects.empty()) return;
     const Control& control = p.documented[0].control;
@@ -81,8 +81,8 @@ void tell_filter(const Prepared& p, Diagnosis& d)
     }
 }
 
-void tell_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
-                 const Attribution& winner, Diagnosis& d)
+void report_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
+                   const Attribution& winner, Diagnosis& d)
 {
     if (f.by_ladder) {
         if (!f.judged.named) return;

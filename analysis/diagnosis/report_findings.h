@@ -12,16 +12,16 @@
 namespace stickslip::gap {
 
 /// The ladder's answer, the drive force that it leaves included.
-void tell_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d);
+void report_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d);
 
-void tell_unexplained(const Findings& f, Diagnosis& d);
+void report_unexplained(const Findings& f, Diagnosis& d);
 
 /// Where a velocity filter is named that is the documented one, discretised otherwise than the joint file means.
-void tell_filter(const Prepared& p, Diagnosis& d);
+void report_filter(const Prepared& p, Diagnosis& d);
 
 /// What it could be confused with, and the experiment that would tell.
-void tell_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
-                 const Attribution& winner, Diagnosis& d);
+void report_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
+                   const Attribution& winner, Diagnosis& d);
 
 /// The causes beside the ladder's, which names none: everything that was fitted, by probability.
 void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d);

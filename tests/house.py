@@ -29,6 +29,8 @@ FORBIDDEN = {
     "sweep": r"vtk|sundials|nlopt|tests/",
 }
 HEAVY = re.compile(r"sundials|cvode|nvector|nlopt")
+# The headers of CLI11 take ten seconds to compile: verbs declare their options by way of command_line.h.
+READS_CLI = re.compile(r"sweep/program/(program|verbs/(command_line|usage|completion|man_page))\.(cpp|h)")
 # Pages and words are drawn from answers and compute nothing: these rooms include no room that computes. Headers of answers
 # in sweep/study may, for the structs, and so may the thresholds of the policy, which sentences state; the test report_links holds the program part against what it links.
 COMPUTES = re.compile(r"analysis/(boundary|simulation|design|diagnosis/(?!policy/)|numerics)/|tbb/")
@@ -291,6 +293,8 @@ def main():
                 wrong.append(f"{path}: includes {name}, which lies on a floor above or is not for this floor")
             if path.suffix == ".h" and floor != "sweep" and HEAVY.match(name):
                 wrong.append(f"{path}: a header of ours includes {name}; keep it in a .cpp")
+            if floor == "sweep" and name.startswith("CLI/") and not READS_CLI.fullmatch(str(path)):
+                wrong.append(f"{path}: includes {name}, ten seconds to compile; declare options by way of command_line.h")
             if folder in DRAWS and COMPUTES.match(name):
                 wrong.append(f"{path}: includes {name}; what is computed belongs into sweep/study, pages draw answers")
             other = Path(name).parent.as_posix()

@@ -51,6 +51,7 @@ CASES = [
     ("a header from inside another room", {"analysis/joint/own.h": "// Internal to analysis/joint.\n#pragma once\n",
                                            "analysis/base/law.cpp": '#include "analysis/joint/own.h"\n'},
      "which is internal to analysis/joint"),
+    ("a verb that includes CLI11", {"sweep/program/verbs/list.cpp": "#include <CLI/CLI.hpp>\n"}, "by way of command_line.h"),
     ("one name for two types", {"analysis/base/law.cpp": "namespace stickslip {\n\nstruct Law {\n};\n\n}  // namespace stickslip\n",
                                "analysis/base/other.h": "#pragma once\nnamespace stickslip {\n\nclass Law : Base {\n};\n\n}  // namespace stickslip\n"},
      "defines stickslip::Law, as does analysis/base/law.cpp:3"),

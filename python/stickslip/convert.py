@@ -27,8 +27,8 @@ def convert() -> int:
     parser.add_argument("--joint", help="name of the joint, where the log has several")
     parser.add_argument("--topic", help="ROS: topic of the joint states")
     parser.add_argument("--command", help="ROS: topic of the commands")
-    parser.add_argument("--time", help="arrays: which one is the time")
-    parser.add_argument("--episode", type=int, help="LeRobot: which episode")
+    parser.add_argument("--time", help="arrays: name of the time")
+    parser.add_argument("--episode", type=int, help="LeRobot: number of the episode")
     asked = parser.parse_args()
     options = {k: v for k, v in vars(asked).items() if k not in ("log", "csv", "joint") and v is not None}
     try:

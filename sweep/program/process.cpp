@@ -4,6 +4,9 @@
 #include "sweep/program/verbs/verbs.h"
 
 #include <fcntl.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <unistd.h>
 
 #include <cerrno>
@@ -60,6 +63,16 @@ void keep_streams()
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
             open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+    constexpr int megabyte = 1 << 20;
+    mallopt(M_TOP_PAD, 32 * megabyte);
+    mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+    mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // larger arrays, those of a large sweep, go back at once
+#endif
 }
 
 void survive_size_limits()

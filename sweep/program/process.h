@@ -19,4 +19,8 @@ struct LateInterruptsIgnored {
     ~LateInterruptsIgnored();
 };
 
+/// Freed memory stays with the process up to a bound, and the heap grows in large steps: pages that go back and forth
+/// are cleared by the kernel each time, which took a third of the time to compose a page.
+void keep_freed_memory();
+
 }  // namespace stickslip

@@ -60,32 +60,32 @@ void keep_to_instructions()
     }
 }
 
-void add_verbs(CLI::App& app, Invocation& invocation)
+void add_verbs(CommandLine& line, Invocation& invocation)
 {
-    add_sweep(app, invocation);
-    add_boundary(app, invocation);
-    add_design(app, invocation);
-    add_margins(app, invocation);
-    add_check(app, invocation);
-    add_evaluate(app, invocation);
-    add_list(app, invocation);
-    add_figures(app, invocation);
-    add_merge(app, invocation);
-    add_report(app, invocation);
-    add_simulate(app, invocation);
-    add_new(app, invocation);
-    add_convert(app, invocation);
-    add_import(app, invocation);
-    add_export(app, invocation);
-    add_diagnose(app, invocation);
-    add_arm_load(app, invocation);
-    add_compare(app, invocation);
-    add_timeline(app, invocation);
-    add_plan(app, invocation);
-    add_blind(app, invocation);
-    add_calibrate(app, invocation);
-    add_completion(app, invocation);
-    add_man_page(app, invocation);
+    add_sweep(line, invocation);
+    add_boundary(line, invocation);
+    add_design(line, invocation);
+    add_margins(line, invocation);
+    add_check(line, invocation);
+    add_evaluate(line, invocation);
+    add_list(line, invocation);
+    add_figures(line, invocation);
+    add_merge(line, invocation);
+    add_report(line, invocation);
+    add_simulate(line, invocation);
+    add_new(line, invocation);
+    add_convert(line, invocation);
+    add_import(line, invocation);
+    add_export(line, invocation);
+    add_diagnose(line, invocation);
+    add_arm_load(line, invocation);
+    add_compare(line, invocation);
+    add_timeline(line, invocation);
+    add_plan(line, invocation);
+    add_blind(line, invocation);
+    add_calibrate(line, invocation);
+    add_completion(line, invocation);
+    add_man_page(line, invocation);
 }
 
 /// Says what the exception that is being handled means to the caller, and with which code to end. `words` are the
@@ -124,6 +124,7 @@ int exit_after_failure(const CLI::App& app, const std::vector<std::string>& word
 
 int run_program(int argc, char** argv, Cluster* cluster)
 {
+    keep_freed_memory();
     keep_streams();
     survive_size_limits();
     leave_on_interrupts("interrupted before the answer was complete\n");
@@ -145,7 +146,8 @@ int run_program(int argc, char** argv, Cluster* cluster)
         "undecided or "
         "insufficient records.\n"
         "Example: stickslip sweep -o out && xdg-open out/report.html");
-    add_verbs(app, invocation);
+    CommandLine line(app);
+    add_verbs(line, invocation);
     try {
         keep_to_instructions();
         app.parse(argc, argv);

@@ -189,33 +189,31 @@ int arm_load(const Options& options)
 
 }  // namespace
 
-void add_arm_load(CLI::App& app, Invocation& invocation)
+void add_arm_load(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "arm-load",
         "Write load_effort, load_error and inertia of each joint of a moving arm, for the records that diagnose reads");
-    verb->add_option("TABLE", options->table,
-                     "CSV with time and JOINT_position of every joint that moves, s, rad and m")
+    verb.add_option("TABLE", options->table, "CSV with time and JOINT_position of every joint that moves, s, rad and m")
         ->required();
-    verb->add_option("--robot", options->robot,
-                     "URDF or MJCF; without it, smoothed positions, velocities and accelerations are written");
-    verb->add_option("--at", options->pose,
-                     "pose of the joints that are not in the table: TOML with joint = coordinate");
-    verb->add_option("--armature", options->armature,
-                     "JOINT=INERTIA: rotor inertia behind the gear that the description lacks, kg·m² (kg)");
-    verb->add_option("--window", options->window,
-                     "window of the cubic that gives the accelerations, s; default: 0.03, or six rows, 0.1 at most")
+    verb.add_option("--robot", options->robot,
+                    "URDF or MJCF; without it, smoothed positions, velocities and accelerations are written");
+    verb.add_option("--at", options->pose,
+                    "pose of the joints that are not in the table: TOML with joint = coordinate");
+    verb.add_option("--armature", options->armature,
+                    "JOINT=INERTIA: rotor inertia behind the gear that the description lacks, kg·m² (kg)");
+    verb.add_option("--window", options->window,
+                    "window of the cubic that gives the accelerations, s; default: 0.03, or six rows, 0.1 at most")
         ->check(positive_number());
-    verb->add_option("-o,--output", options->file, "file to write; default: standard output");
-    verb->footer(
+    verb.add_option("-o,--output", options->file, "file to write; default: standard output");
+    verb.footer(
         "Example: stickslip arm-load positions.csv --robot arm.urdf --armature elbow=0.12 -o loads.csv\n"
-        "Gravity is in load_effort: the joint file must then have no gravity of its own.\n"
-        "load_error is an example of what load_effort is wrong by (noise of the encoders, corners that the cubic "
-        "rounds):\n"
+        "load_effort includes gravity: the joint file must then have no gravity of its own.\n"
+        "load_error is one sample of the error of load_effort (encoder noise, corners that the cubic rounds):\n"
         "diagnose counts it as noise.\n"
         "Exit codes: 0 done, 2 bad input.");
-    verb->callback([options, &invocation] { invocation.exit_code = arm_load(*options); });
+    verb.callback([options, &invocation] { invocation.exit_code = arm_load(*options); });
 }
 
 }  // namespace stickslip

@@ -204,7 +204,7 @@ int run_cases(const Options& options, Invocation& invocation)
         fs::remove_all(root / name);
     }
     fs::remove_all(root);
-    Json all = Json::object();
+    Json all{{"format", blind::answers_format}};
     for (auto& [name, answer] : answers) all[name] = answer;
     const fs::path file =
         options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);
@@ -222,26 +222,26 @@ int run_cases(const Options& options, Invocation& invocation)
 
 }  // namespace
 
-void add_blind(CLI::App& app, Invocation& invocation)
+void add_blind(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("blind", "Diagnose blind cases, each in a separate process, and score the answers");
-    verb->add_option("DIR", options->directory, "folder of case-NN/{joint.toml, *.csv.gz}")->required();
-    verb->add_option("--truth", options->truth, "file of the true answers: scores them, after all cases are answered");
-    verb->add_option("--answers", options->answers, "where to write the answers (DIR/answers.json)");
-    verb->add_option("--score", options->score, "where to write the score as JSON");
-    verb->add_option("--calibration", options->calibration,
-                     "where to write answers and truth as a calibration for diagnose --guarantee");
-    verb->add_option("--population", options->population,
-                     "how the cases were drawn, in words: generator, seed; the promise is about joints drawn so");
-    verb->add_option("--jobs", options->jobs, "cases at once")->check(whole_between(1, most_threads));
-    verb->add_option("--timeout", options->timeout, "seconds after which a case is given up")->check(positive_number());
-    add_threads(*verb, options->threads, "threads of each diagnosis, 0 for all");
-    verb->footer(
+    auto verb = line.add_verb("blind", "Diagnose blind cases, each in a separate process, and score the answers");
+    verb.add_option("DIR", options->directory, "folder of case-NN/{joint.toml, *.csv.gz}")->required();
+    verb.add_option("--truth", options->truth, "file of the true answers: scores them, after all cases are answered");
+    verb.add_option("--answers", options->answers, "where to write the answers (DIR/answers.json)");
+    verb.add_option("--score", options->score, "where to write the score as JSON");
+    verb.add_option("--calibration", options->calibration,
+                    "where to write answers and truth as a calibration for diagnose --guarantee");
+    verb.add_option("--population", options->population,
+                    "how the cases were drawn: generator, seed; the guarantee holds for joints drawn in this way");
+    verb.add_option("--jobs", options->jobs, "cases that run at the same time")->check(whole_between(1, most_threads));
+    verb.add_option("--timeout", options->timeout, "seconds after which a case is stopped")->check(positive_number());
+    add_threads(verb, options->threads, "threads of each diagnosis; 0: all cores");
+    verb.footer(
         "Example: stickslip blind cases --truth cases.truth.json\n"
         "Exit codes: 0 done (the answers say which cases failed), 2 bad input, 3 interrupted, with the answers so far "
         "written.");
-    verb->callback([options, &invocation] {
+    verb.callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = run_cases(*options, invocation);
     });

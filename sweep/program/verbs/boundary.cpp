@@ -175,44 +175,44 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_boundary(CLI::App& app, Invocation& invocation)
+void add_boundary(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<BoundaryOptions>();
     std::vector<std::string> kinds, disturbances;
     for (const auto kind : boundary_kinds) kinds.emplace_back(name_of(kind));
     for (const auto& k : DisturbanceSpec::kinds) disturbances.emplace_back(k.name);
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "boundary", "Locate boundaries along axes and over two of them: linear, folds of cycles, outcomes, V_min");
-    verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
-    verb->add_option("--kind", options->kinds, "kinds of boundary, one or more; default: velocity-only linear")
+    verb.add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
+    verb.add_option("--kind", options->kinds, "kinds of boundary, one or more; default: velocity-only linear")
         ->check(one_of(kinds));
-    verb->add_option("--along", options->along,
-                     "axes: PATH or PATH=FROM..TO, SI or with units, optionally followed by :log or :linear");
-    verb->add_option("--over", options->over, "two axes, x then y, each as in --along")->expected(2);
-    verb->add_option("--set", options->settings, "set a parameter first: path=value");
-    verb->add_option("--disturbance", options->disturbance,
-                     "disturbance that decides the outcome; default: that of the spec, else a start from V0/10⁴")
+    verb.add_option("--along", options->along,
+                    "axes: PATH or PATH=FROM..TO, SI or with units, optionally followed by :log or :linear");
+    verb.add_option("--over", options->over, "two axes, x then y, each as in --along")->expected(2);
+    verb.add_option("--set", options->settings, "set a parameter first: path=value");
+    verb.add_option("--disturbance", options->disturbance,
+                    "disturbance that decides the outcome; default: that of the spec, else a start from V0/10⁴")
         ->check(one_of(disturbances));
-    verb->add_option("--size", options->size,
-                     "of the disturbance: m, m/s, N·s, N (rad, …); for start: the share of V0 from which V0 is "
-                     "commanded")
+    verb.add_option(
+            "--size", options->size,
+            "size of the disturbance: m, m/s, N·s, N (rad, …); for start: the share of V0 from which V0 is commanded")
         ->check(finite_number());
-    verb->add_option("--precision", options->precision,
-                     "relative width of brackets; default: 1e-10 linear, 1e-6 fold (3e-4 by simulation), 1e-4 outcome")
+    verb.add_option("--precision", options->precision,
+                    "relative width of brackets; default: 1e-10 linear, 1e-6 fold (3e-4 by simulation), 1e-4 outcome")
         ->check(between(1e-12, 0.1));
-    verb->add_option("--guard", options->guard,
-                     "cells along each axis of the grid that searches for further pieces; default: 16, or 8 if each "
-                     "point is a simulation")
+    verb.add_option("--guard", options->guard,
+                    "cells along each axis of the grid that searches for further pieces; default: 16, or 8 if each "
+                    "point is a simulation")
         ->check(whole_between(2, 512));
-    verb->add_option("-o,--output", options->directory, "write boundary.json, boundary.csv and report.html here");
-    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
-    verb->add_option("--max-undecided", options->max_undecided,
-                     "exit 4 if more than this share of the scanned points has no verdict")
+    verb.add_option("-o,--output", options->directory, "write boundary.json, boundary.csv and report.html here");
+    add_threads(verb, options->threads, "number of threads; 0: all cores")->capture_default_str();
+    verb.add_option("--max-undecided", options->max_undecided,
+                    "exit 4 if more than this share of the scanned points has no verdict")
         ->check(between(0, 1))
         ->capture_default_str();
-    add_ideal_loop(*verb, options->ideal_loop);
-    verb->add_flag("--json", options->json, "print boundary.json instead of text");
-    verb->footer(
+    add_ideal_loop(verb, options->ideal_loop);
+    verb.add_flag("--json", options->json, "print boundary.json instead of text");
+    verb.footer(
         "Examples:\n"
         "  stickslip boundary examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --along "
         "control.k_p=1e3..1e7\n"
@@ -222,10 +222,8 @@ void add_boundary(CLI::App& app, Invocation& invocation)
         "  stickslip boundary joint.toml --kind v-min --along 'control.V0=1 um/s..10 mm/s'\n"
         "A [boundary] table in the spec has the same options: kind, along, over, guard, precision.\n"
         "Exit codes: 0 answered (also: no boundary there), 2 bad input, 3 interrupted: what was located is kept, 4 a "
-        "point is coarser than asked for or too "
-        "many "
-        "points have no verdict.");
-    verb->callback([options, &invocation] {
+        "point is coarser than requested, or too many points have no verdict.");
+    verb.callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = locate(*options, invocation);
     });

@@ -182,32 +182,31 @@ int run(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, Invocation& invocation)
+void add_calibrate(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
-        "calibrate",
-        "Answer blind cases on a joint of one's own, so that diagnose can give a set of causes with a promise");
-    verb->add_option("JOINT", options->joint, "nominal joint, TOML, with control.period")->required();
-    verb->add_option("RECORD", options->records, "its records, with reference_position: cases follow the same motions")
+    auto verb = line.add_verb(
+        "calibrate", "Calibrate diagnose --guarantee on your own joint: simulate cases of it and diagnose them");
+    verb.add_option("JOINT", options->joint, "nominal joint, TOML, with control.period")->required();
+    verb.add_option("RECORD", options->records, "its records, with reference_position: cases follow the same motions")
         ->required();
-    verb->add_option("--cases", options->cases, "cases of all shards together")
+    verb.add_option("--cases", options->cases, "cases of all shards together")
         ->check(whole_between(1, 1000000))
         ->capture_default_str();
-    verb->add_option("--shard", options->shard, "answer every M-th case only, from the K-th on: K/M")
+    verb.add_option("--shard", options->shard, "answer every M-th case only, from the K-th on: K/M")
         ->capture_default_str();
-    verb->add_option("--seed", options->seed, "seed of the cases; case n does not depend on how many there are")
+    verb.add_option("--seed", options->seed, "seed of the cases; case n does not depend on the number of cases")
         ->check(whole_number())
         ->capture_default_str();
-    verb->add_option("-o,--output", options->output,
-                     "file of the answered cases; cases that it holds are not answered again")
+    verb.add_option("-o,--output", options->output,
+                    "file of the answered cases; cases that it holds are not answered again")
         ->capture_default_str();
-    add_threads(*verb, options->threads, "threads, 0 for all; the answers do not depend on it");
-    verb->footer(
+    add_threads(verb, options->threads, "number of threads; 0: all cores; the answers do not depend on it");
+    verb.footer(
         "Example: stickslip calibrate joint.toml slow.csv steps.csv --cases 59 -o calibration.json\n"
         "Example: stickslip calibrate joint.toml slow.csv --cases 1770 --shard 3/40 -o calibration-3.json\n"
-        "Exit codes: 0 done, 2 bad input, 3 interrupted; the cases so far are kept, and the same command goes on.");
-    verb->callback([options, &invocation] {
+        "Exit codes: 0 done, 2 bad input, 3 interrupted; finished cases are kept, and the same command continues.");
+    verb.callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = run(*options, invocation);
     });

@@ -82,34 +82,33 @@ int check_files(Options options, const Invocation& invocation)
 
 }  // namespace
 
-void add_check(CLI::App& app, Invocation& invocation)
+void add_check(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "check",
         "Compare boundary locations, or a joint's gap to its records, with a baseline; exit 1 on a regression");
-    verb->add_option("SPEC", options->spec, "sweep spec, or the joint of the records, TOML")->required();
-    verb->add_option("FILES", options->files,
-                     "records or folders of them, where the gap is checked; last the baseline, JSON")
+    verb.add_option("SPEC", options->spec, "sweep spec, or the joint of the records, TOML")->required();
+    verb.add_option("FILES", options->files, "for a gap: records or folders of records; last: the baseline, JSON")
         ->required();
-    verb->add_flag("--update", options->update, "write the baseline instead of comparing");
-    verb->add_option("--junit", options->junit, "also write the outcome as JUnit XML to this file");
-    verb->add_option("-o,--output", options->directory,
-                     "directory for report.html with old and new curves, or for the diagnosis of the records");
-    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "of boundaries: the paper's loop, no sampling, dead time, filter, lag or integral");
-    verb->add_flag("--json", options->json, "of a gap: print the outcome as JSON");
-    verb->add_option("--gap-tolerance", options->tolerance.gap, "largest relative growth of the gap")
+    verb.add_flag("--update", options->update, "write the baseline instead of comparing");
+    verb.add_option("--junit", options->junit, "also write the outcome as JUnit XML to this file");
+    verb.add_option("-o,--output", options->directory,
+                    "directory for report.html with old and new curves, or for the diagnosis of the records");
+    add_threads(verb, options->threads, "number of threads; 0: all cores")->capture_default_str();
+    verb.add_flag("--ideal-loop", options->ideal_loop,
+                  "of boundaries: the paper's loop, no sampling, dead time, filter, lag or integral");
+    verb.add_flag("--json", options->json, "print the outcome of a gap check as JSON");
+    verb.add_option("--gap-tolerance", options->tolerance.gap, "largest relative growth of the gap")
         ->check(not_negative_number())
         ->capture_default_str();
-    verb->add_option("--number-tolerance", options->tolerance.number,
-                     "largest relative change of a parameter, if it also exceeds 5 standard errors")
+    verb.add_option("--number-tolerance", options->tolerance.number,
+                    "largest relative change of a parameter, if it also exceeds 5 standard errors")
         ->check(not_negative_number())
         ->capture_default_str();
-    verb->add_option("--joint", options->name, "name of the joint in logs of several");
-    add_log_options(*verb, options->how);
-    verb->footer(
+    verb.add_option("--joint", options->name, "name of the joint in logs of several");
+    add_log_options(verb, options->how);
+    verb.footer(
         "Example: stickslip check examples/02-ball-screw/spec-with-memory.toml examples/02-ball-screw/baseline.json\n"
         "Example: stickslip check joint.toml records/ baseline-gap.json --update\n"
         "Example: stickslip check joint.toml records/ baseline-gap.json --junit gap.xml\n"
@@ -119,8 +118,8 @@ void add_check(CLI::App& app, Invocation& invocation)
         "Exit codes: 0 all within tolerance or refined, 1 a boundary moved, vanished, appeared, changed its stable "
         "side or is located more coarsely, or the gap is new, has grown, has another cause or another size of it; 2 "
         "bad "
-        "input, 3 interrupted, 4 the records say too little.");
-    verb->callback([options, &invocation] {
+        "input, 3 interrupted, 4 insufficient records.");
+    verb.callback([options, &invocation] {
         if (options->files.size() > 1) catch_interrupts(invocation);  // a check of boundaries ends where it stands
         invocation.exit_code = check_files(*options, invocation);
     });

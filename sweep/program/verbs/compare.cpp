@@ -46,19 +46,19 @@ int compare_verb(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_compare(CLI::App& app, Invocation& invocation)
+void add_compare(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "compare", "Compare two diagnoses: is the gap new, which parameter moved, by how many standard errors");
-    verb->add_option("BEFORE", options->before, "diagnosis.json, or the folder that diagnose wrote")->required();
-    verb->add_option("AFTER", options->after, "the same, of the later records")->required();
-    verb->add_option("-o,--output", options->directory, "directory for comparison.json and report.html");
-    verb->add_flag("--json", options->json, "print comparison.json");
-    verb->footer(
+    verb.add_option("BEFORE", options->before, "diagnosis.json, or the folder that diagnose wrote")->required();
+    verb.add_option("AFTER", options->after, "the same for the later records")->required();
+    verb.add_option("-o,--output", options->directory, "directory for comparison.json and report.html");
+    verb.add_flag("--json", options->json, "print comparison.json");
+    verb.footer(
         "Example: stickslip compare runs/2026-03-01 runs/2026-04-01 -o compared\n"
         "Exit codes: 0 compared, 2 bad input.");
-    verb->callback([options, &invocation] { invocation.exit_code = compare_verb(*options, invocation); });
+    verb.callback([options, &invocation] { invocation.exit_code = compare_verb(*options, invocation); });
 }
 
 }  // namespace stickslip

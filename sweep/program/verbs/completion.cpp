@@ -4,6 +4,7 @@
 #include "sweep/program/verbs/word_option.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -169,16 +170,16 @@ std::string fish(const CLI::App& app)
 
 }  // namespace
 
-void add_completion(CLI::App& app, Invocation& invocation)
+void add_completion(CommandLine& line, Invocation& invocation)
 {
     auto shell = std::make_shared<std::string>();
-    auto* verb = app.add_subcommand("completion", "Print what bash, zsh or fish needs to complete verbs and options");
-    verb->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
-    verb->footer(
+    auto verb = line.add_verb("completion", "Print what bash, zsh or fish needs to complete verbs and options");
+    verb.add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
+    verb.footer(
         "Examples: source <(stickslip completion bash)\n"
         "          stickslip completion fish | source");
-    verb->callback([shell, &app, &invocation] {
-        fmt::print("{}", *shell == "bash" ? bash(app) : *shell == "zsh" ? zsh(app) : fish(app));
+    verb.callback([shell, &declared = line.declared(), &invocation] {
+        fmt::print("{}", *shell == "bash" ? bash(declared) : *shell == "zsh" ? zsh(declared) : fish(declared));
         invocation.exit_code = exit_done;
     });
 }

@@ -26,21 +26,21 @@ int convert(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_convert(CLI::App& app, Invocation& invocation)
+void add_convert(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "convert",
         "Make a record in CSV from a log: bags of ROS 2 and 1, Parquet, SAGE, BAM, .npz, .mat, HDF5, NetCDF");
-    verb->add_option("IN", options->log, "log, or folder of SAGE or of a ROS 2 bag")->required();
-    verb->add_option("OUT", options->csv, "record to write, .csv or .csv.gz")->required();
-    verb->add_option("--joint", options->joint, "name of the joint, where the log has several");
-    add_log_options(*verb, options->how);
-    verb->footer(
+    verb.add_option("IN", options->log, "log, or folder of SAGE or of a ROS 2 bag")->required();
+    verb.add_option("OUT", options->csv, "record to write, .csv or .csv.gz")->required();
+    verb.add_option("--joint", options->joint, "name of the joint, where the log has several");
+    add_log_options(verb, options->how);
+    verb.footer(
         "Example: stickslip convert run.mcap run.csv --joint elbow --command /position_commands\n"
         "Needs the Python package of stickslip (python3 -m stickslip.convert is the same).\n"
         "Exit codes: 0 done, 2 bad input, 3 interrupted: nothing is written.");
-    verb->callback([options, &invocation] {
+    verb.callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = convert(*options, invocation);
     });

@@ -136,60 +136,59 @@ int design(const Options& options, const Invocation& invocation)
     return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_not_met;
 }
 
-void add_set_point_options(CLI::App& verb, CLI::Option& holds, SetPointOptions& held)
+void add_set_point_options(Verb& verb, Option& holds, SetPointOptions& held)
 {
-    verb.add_option("--over", held.over,
-                    "of a set point: control.k_i, control.dead_zone, push, control.dither; default all")
+    verb.add_option("--over", held.over, "with --set-point: what may be changed; default: all four")
         ->check(one_of({"control.k_i", "control.dead_zone", "push", "control.dither"}))
-        ->needs(&holds);
+        ->needs(holds);
     verb.add_option("--friction-margin", held.friction_margin,
-                    "of a set point: uncertainty of static and kinetic friction, each, as a share")
+                    "with --set-point: relative uncertainty of static and of kinetic friction")
         ->check(between(0, 0.99))
         ->capture_default_str()
-        ->needs(&holds);
+        ->needs(holds);
     verb.add_option("--integral-gain", held.integral_gain,
-                    "of a set point: k_i of the ways that integrate; default: the joint's")
+                    "with --set-point: k_i of the variants with integral action; default: that of the joint")
         ->check(positive_number())
-        ->needs(&holds);
+        ->needs(holds);
     verb.add_option(
             "--push-speed", held.push_speed,
-            "of a set point: velocity over which the compensation fades; default: control.feed_forward.coulomb_speed")
+            "with --set-point: velocity over which the compensation fades; default: control.feed_forward.coulomb_speed")
         ->check(positive_number())
-        ->needs(&holds);
-    verb.add_option("--rest-error", held.rest_error, "of a set point: largest error at rest that is allowed")
+        ->needs(holds);
+    verb.add_option("--rest-error", held.rest_error, "with --set-point: largest permitted error at rest")
         ->check(not_negative_number())
-        ->needs(&holds);
+        ->needs(holds);
 }
 
 }  // namespace
 
-void add_design(CLI::App& app, Invocation& invocation)
+void add_design(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
-        "design", "Best k_p and k_v under noise, effort, margin and velocity requirements; Pareto front");
-    verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML, with [requirements]")->required();
-    verb->add_option("--set", options->settings, "set a parameter of the joint first: path=value");
-    verb->add_option("--require", options->requirements,
-                     "change a requirement: key=value; keys: objective (motion | effort), position_noise [m], "
-                     "velocity_noise [m/s], sample_time [s], filter [s], average, effort_limit [N], noise_multiple, "
-                     "margin, least_velocity [m/s], stiffness_scale [N/m], k_p_from, k_p_to [N/m], k_v_from, k_v_to "
-                     "[N·s/m], front_points; rad, N·m for revolute joints; values may carry units");
-    verb->add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
-    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
-    verb->add_option("--effort", options->effort,
-                     "multiple of the usual work of a search for gains: fewer or more of them, and directions")
+    auto verb =
+        line.add_verb("design", "Best k_p and k_v under noise, effort, margin and velocity requirements; Pareto front");
+    verb.add_option("INPUT", options->input, "sweep spec or joint description, TOML, with [requirements]")->required();
+    verb.add_option("--set", options->settings, "set a parameter of the joint first: path=value");
+    verb.add_option("--require", options->requirements,
+                    "change a requirement: key=value; keys: objective (motion | effort), position_noise [m], "
+                    "velocity_noise [m/s], sample_time [s], filter [s], average, effort_limit [N], noise_multiple, "
+                    "margin, least_velocity [m/s], stiffness_scale [N/m], k_p_from, k_p_to [N/m], k_v_from, k_v_to "
+                    "[N·s/m], front_points; rad, N·m for revolute joints; values may carry units");
+    verb.add_option("-o,--output", options->directory, "write design.json, designed-joint.toml and report.html here");
+    add_threads(verb, options->threads, "number of threads; 0: all cores")->capture_default_str();
+    verb.add_option("--effort", options->effort,
+                    "multiple of the usual search effort: how many gains are tried, and in how many directions")
         ->check(positive_number());
-    auto* ideal = verb->add_flag("--ideal-loop", options->ideal_loop,
-                                 "the paper's loop: no sampling, dead time, filter, lag or integral");
-    verb->add_flag("--json", options->json, "print design.json instead of text");
-    auto* holds =
-        verb->add_flag(
+    auto ideal = verb.add_flag("--ideal-loop", options->ideal_loop,
+                               "the paper's loop: no sampling, dead time, filter, lag or integral");
+    verb.add_flag("--json", options->json, "print design.json instead of text");
+    auto holds =
+        verb.add_flag(
                 "--set-point", options->holds,
-                "instead: hold a set point without hunting, with k_i, dead zone, friction compensation and dither")
+                "instead, find how to hold a set point without hunting: k_i, dead zone, friction compensation, dither")
             ->excludes(ideal);
-    add_set_point_options(*verb, *holds, options->set_point);
-    verb->footer(
+    add_set_point_options(verb, holds, options->set_point);
+    verb.footer(
         "Examples:\n"
         "  stickslip design examples/04-design/spec.toml -o out\n"
         "  stickslip design joint.toml --require 'position_noise=1 um' --require sample_time=1e-3 --require "
@@ -197,7 +196,7 @@ void add_design(CLI::App& app, Invocation& invocation)
         "  stickslip design examples/08-hunting-arm/joint.toml --set-point --friction-margin 0.05\n"
         "Exit codes: 0 feasible, 1 no gains meet the requirements (the answer says what would be feasible), 2 bad "
         "input, 3 interrupted, 4 no verdict.");
-    verb->callback([options, &invocation] {
+    verb.callback([options, &invocation] {
         auto& asked = options->set_point;
         asked.input = options->input, asked.directory = options->directory, asked.settings = options->settings;
         asked.threads = options->threads, asked.json = options->json;

@@ -182,30 +182,30 @@ int diagnose(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_diagnose(CLI::App& app, Invocation& invocation)
+void add_diagnose(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("diagnose",
-                                    "Diagnose the gap between a joint and its records: where it is and what causes it");
-    verb->add_option("JOINT", options->joint,
-                     "nominal joint, TOML; or robot.toml with [joints], or a folder of joint files")
+    auto verb =
+        line.add_verb("diagnose", "Diagnose the gap between a joint and its records: where it is and what causes it");
+    verb.add_option("JOINT", options->joint,
+                    "nominal joint, TOML; or robot.toml with [joints], or a folder of joint files")
         ->required();
-    verb->add_option("RECORD", options->records,
-                     "records, CSV or .csv.gz, SI units unless the [record] table says otherwise, or logs that convert "
-                     "reads; or one table of outcomes: k_p, k_v, V0, outcome (stable | stick-slip), amplitude")
+    verb.add_option("RECORD", options->records,
+                    "records, CSV or .csv.gz, SI units unless the [record] table says otherwise, or logs that convert "
+                    "reads; or one table of outcomes: k_p, k_v, V0, outcome (stable | stick-slip), amplitude")
         ->required();
-    verb->add_flag("--all-joints", options->all_joints, "every joint of a robot, and a page of joints and causes");
-    verb->add_option("--joint", options->names, "name of the joint in logs of several; of a robot: only this one")
-        ->allow_extra_args(false);
-    add_log_options(*verb, options->how);
-    options->guarantee.add_to(*verb);
-    verb->add_option("-o,--output", options->directory,
-                     "directory for diagnosis.json and report.html; of a robot for robot.json, robot.html and a folder "
-                     "for each joint");
-    add_threads(*verb, options->threads, "threads, 0 for all; the answer does not depend on it");
-    verb->add_flag("--json", options->json, "print diagnosis.json");
-    verb->add_flag("--no-report", options->no_report, "do not write the page");
-    verb->footer(
+    verb.add_flag("--all-joints", options->all_joints, "every joint of a robot, and a page of joints and causes");
+    verb.add_option("--joint", options->names, "name of the joint in logs of several; of a robot: only this one")
+        ->one_value();
+    add_log_options(verb, options->how);
+    options->guarantee.add_to(verb);
+    verb.add_option("-o,--output", options->directory,
+                    "directory for diagnosis.json and report.html; of a robot for robot.json, robot.html and a folder "
+                    "for each joint");
+    add_threads(verb, options->threads, "number of threads; 0: all cores; the answer does not depend on it");
+    verb.add_flag("--json", options->json, "print diagnosis.json");
+    verb.add_flag("--no-report", options->no_report, "do not write the page");
+    verb.footer(
         "Example: stickslip diagnose joint.toml slow.csv.gz steps.csv.gz -o diagnosis\n"
         "Example: stickslip diagnose joint.toml outcomes.csv -o which-law\n"
         "Example: stickslip diagnose robot.toml run.mcap --all-joints -o arm\n"
@@ -213,7 +213,7 @@ void add_diagnose(CLI::App& app, Invocation& invocation)
         "Exit codes: 0 answered (gap, no-gap, unknown), 2 bad input (suspected units included), 3 interrupted, 4 too "
         "little "
         "data.");
-    verb->callback([options, &invocation] {
+    verb.callback([options, &invocation] {
         catch_interrupts(invocation);
         invocation.exit_code = diagnose(*options, invocation);
     });

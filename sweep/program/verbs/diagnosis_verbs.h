@@ -4,9 +4,9 @@
 
 namespace stickslip {
 
-void add_calibrate(CLI::App& app, Invocation& invocation);
-void add_compare(CLI::App& app, Invocation& invocation);
-void add_arm_load(CLI::App& app, Invocation& invocation);
-void add_timeline(CLI::App& app, Invocation& invocation);
+void add_calibrate(CommandLine& line, Invocation& invocation);
+void add_compare(CommandLine& line, Invocation& invocation);
+void add_arm_load(CommandLine& line, Invocation& invocation);
+void add_timeline(CommandLine& line, Invocation& invocation);
 
 }  // namespace stickslip

@@ -5,7 +5,7 @@
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/study/spec.h"
 
-#include <CLI/CLI.hpp>
+#include "sweep/program/verbs/command_line.h"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct DisturbanceOption {
     std::string kind;
     double size = missing;
 
-    void add_to(CLI::App& verb)
+    void add_to(Verb& verb)
     {
         std::vector<std::string> kinds;
         for (const auto& k : DisturbanceSpec::kinds) kinds.emplace_back(k.name);

@@ -136,31 +136,30 @@ int evaluate(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_evaluate(CLI::App& app, Invocation& invocation)
+void add_evaluate(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "evaluate", "Answer for one joint: both linear theories, critical gains, spectrum, nonlinear outcome");
-    verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
-    verb->add_option(
-        "--set", options->settings,
-        "set a parameter first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
-    options->disturbance.add_to(*verb);
-    verb->add_option("-o,--output", options->directory,
-                     "also write a page with charts: both theories, disturbances, force ramps, reductions");
-    options->surroundings.add_to(*verb);
-    options->surroundings.add_duration_to(*verb, "until the slowest mode is visible, or that of the file");
-    verb->add_option("--effort", options->effort,
-                     "multiple of the usual work (about a second): longer motions, more crossings and reductions of "
-                     "delayed friction")
+    verb.add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
+    verb.add_option("--set", options->settings,
+                    "set a parameter first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
+    options->disturbance.add_to(verb);
+    verb.add_option("-o,--output", options->directory,
+                    "also write a page with charts: both theories, disturbances, force ramps, reductions");
+    options->surroundings.add_to(verb);
+    options->surroundings.add_duration_to(verb, "until the slowest mode is visible, or that of the file");
+    verb.add_option("--effort", options->effort,
+                    "multiple of the usual work (about a second): longer motions, more crossings and reductions of "
+                    "delayed friction")
         ->check(positive_number());
-    add_ideal_loop(*verb, options->ideal_loop);
-    verb->add_flag("--json", options->json, "machine-readable, stable names");
-    verb->footer(
+    add_ideal_loop(verb, options->ideal_loop);
+    verb.add_flag("--json", options->json, "machine-readable, stable names");
+    verb.footer(
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml --set control.k_p=2e4 --json\n"
         "Example: stickslip evaluate examples/02-ball-screw/joint-with-memory.toml -o joint\n"
         "Exit codes: 0 decided, 2 bad input, 4 undecided.");
-    verb->callback([options, &invocation] { invocation.exit_code = evaluate(*options, invocation); });
+    verb.callback([options, &invocation] { invocation.exit_code = evaluate(*options, invocation); });
 }
 
 }  // namespace stickslip

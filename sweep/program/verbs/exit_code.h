@@ -10,7 +10,7 @@ enum ExitCode {
     exit_bad_input = 2,
     exit_interrupted = 3,
     exit_undecided = 4,
-    exit_insufficient = 4  ///< of a diagnosis: the records say too little
+    exit_insufficient = 4  ///< of a diagnosis: insufficient records
 };
 
 }  // namespace stickslip

@@ -82,31 +82,31 @@ int export_verb(const Options& options)
 
 }  // namespace
 
-void add_export(CLI::App& app, Invocation& invocation)
+void add_export(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "export", "Write a joint as elements of a robot simulator, and list what the simulator cannot express");
-    verb->add_option("JOINT", options->joint, "joint description, TOML")->required();
+    verb.add_option("JOINT", options->joint, "joint description, TOML")->required();
     std::vector<std::string> names;
     for (const auto& s : simulators) names.emplace_back(s.name);
-    verb->add_option("--to", options->to, "which simulator")->required()->check(one_of(names));
-    verb->add_option("--set", options->settings, "set a parameter first: path=value");
-    verb->add_option("--name", options->name, "name of the joint in the text")->capture_default_str();
-    verb->add_option("--timestep", options->timestep,
-                     "time step of the simulator in s; default: its usual one, shorter where the joint needs it")
+    verb.add_option("--to", options->to, "which simulator")->required()->check(one_of(names));
+    verb.add_option("--set", options->settings, "set a parameter first: path=value");
+    verb.add_option("--name", options->name, "name of the joint in the text")->capture_default_str();
+    verb.add_option("--timestep", options->timestep,
+                    "time step of the simulator in s; default: its usual one, shorter where the joint needs it")
         ->check(positive_number());
-    verb->add_option("--link-inertia", options->link_inertia,
-                     "one mass: inertia of the robot's links about this axis; the remainder is armature")
+    verb.add_option("--link-inertia", options->link_inertia,
+                    "one mass: inertia of the robot's links about this axis; the remainder is armature")
         ->check(positive_number());
-    verb->add_option("--speed", options->speed,
-                     "velocity at which friction without a Coulomb level is evaluated; default: control.V0")
+    verb.add_option("--speed", options->speed,
+                    "velocity at which friction without a Coulomb level is evaluated; default: control.V0")
         ->check(positive_number());
-    verb->add_option("--records", options->records,
-                     "held-out records of the joint: what gap is left by the joint, and by what the text holds of it");
-    verb->add_flag("--json", options->json, "machine-readable, stable names");
-    verb->footer("Example: stickslip export corrected-joint.toml --to mjcf --name elbow > elbow.xml");
-    verb->callback([options, &invocation] { invocation.exit_code = export_verb(*options); });
+    verb.add_option("--records", options->records,
+                    "held-out records: the gap that the joint leaves, and the gap that the exported part of it leaves");
+    verb.add_flag("--json", options->json, "machine-readable, stable names");
+    verb.footer("Example: stickslip export corrected-joint.toml --to mjcf --name elbow > elbow.xml");
+    verb.callback([options, &invocation] { invocation.exit_code = export_verb(*options); });
 }
 
 }  // namespace stickslip

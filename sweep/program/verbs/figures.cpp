@@ -59,15 +59,15 @@ int figures(const Options& options)
 
 }  // namespace
 
-void add_figures(CLI::App& app, Invocation& invocation)
+void add_figures(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("figures", "Compute the paper's figures, lumped models and numbers");
-    verb->add_option("-o,--output", options->directory, "directory of the page, the charts and the drawings")
+    auto verb = line.add_verb("figures", "Compute the paper's figures, lumped models and numbers");
+    verb.add_option("-o,--output", options->directory, "directory of the page, the charts and the drawings")
         ->capture_default_str();
-    verb->add_flag("--json", options->json, "the numbers, machine-readable");
-    verb->footer("Exit 1 if a number of the paper is not reproduced.\nExample: stickslip figures -o figures");
-    verb->callback([options, &invocation] { invocation.exit_code = figures(*options); });
+    verb.add_flag("--json", options->json, "the numbers, machine-readable");
+    verb.footer("Exit 1 if a number of the paper is not reproduced.\nExample: stickslip figures -o figures");
+    verb.callback([options, &invocation] { invocation.exit_code = figures(*options); });
 }
 
 }  // namespace stickslip

@@ -37,17 +37,17 @@ std::vector<std::string> what_is_missing(const Guarantee& g, const Joint& joint,
 
 }  // namespace
 
-void GuaranteeOption::add_to(CLI::App& verb)
+void GuaranteeOption::add_to(Verb& verb)
 {
     verb.add_option("--guarantee", coverage,
-                    "also give the set of causes that holds the true one for this share of such joints, 0.95 say; "
-                    "needs --calibration")
+                    "also give a set of causes that contains the true one for this share of such joints, for example "
+                    "0.95; needs --calibration")
         ->check(between(0.5, 0.999));
     verb.add_option("--calibration", files,
                     "answered cases of joints like this one, of calibrate or of blind --calibration; several files "
                     "count as one")
-        ->allow_extra_args(false)
-        ->check(CLI::ExistingFile);
+        ->one_value()
+        ->check(existing_file());
 }
 
 guarantee::Place place_among(const Joint& joint, const std::vector<Record>& records)

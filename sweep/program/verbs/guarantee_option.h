@@ -3,7 +3,7 @@
 #include "sweep/program/verbs/diagnose_joint.h"
 #include "sweep/study/guarantee/calibration.h"
 
-#include <CLI/CLI.hpp>
+#include "sweep/program/verbs/command_line.h"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ struct GuaranteeOption {
     double coverage = 0;  ///< 0: none was requested
     std::vector<std::string> files;
 
-    void add_to(CLI::App& verb);
+    void add_to(Verb& verb);
     bool asked() const { return coverage > 0; }
 };
 

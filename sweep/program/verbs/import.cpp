@@ -82,19 +82,19 @@ int import_verb(const Options& options)
 
 }  // namespace
 
-void add_import(CLI::App& app, Invocation& invocation)
+void add_import(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("import", "Make joint.toml of one joint of a robot: URDF or MJCF");
-    verb->add_option("ROBOT", options->robot, "robot description, URDF or MJCF")->required();
-    verb->add_option("--joint", options->joint, "name of the joint")->required();
-    verb->add_option("--at", options->pose, "pose: TOML with joint = coordinate; others stand at their zero");
-    verb->add_option("--set", options->settings, "set a parameter: path=value");
-    verb->add_option("-o,--output", options->file, "file to write; default: standard output");
-    verb->add_flag("--json", options->json, "machine-readable, stable names");
-    verb->footer(
+    auto verb = line.add_verb("import", "Make joint.toml of one joint of a robot: URDF or MJCF");
+    verb.add_option("ROBOT", options->robot, "robot description, URDF or MJCF")->required();
+    verb.add_option("--joint", options->joint, "name of the joint")->required();
+    verb.add_option("--at", options->pose, "pose: TOML with joint = coordinate; others stand at their zero");
+    verb.add_option("--set", options->settings, "set a parameter: path=value");
+    verb.add_option("-o,--output", options->file, "file to write; default: standard output");
+    verb.add_flag("--json", options->json, "machine-readable, stable names");
+    verb.footer(
         "Example: stickslip import robot.urdf --joint elbow --at pose.toml --set control.k_p=200 -o joint.toml");
-    verb->callback([options, &invocation] { invocation.exit_code = import_verb(*options); });
+    verb.callback([options, &invocation] { invocation.exit_code = import_verb(*options); });
 }
 
 }  // namespace stickslip

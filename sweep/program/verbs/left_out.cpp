@@ -7,7 +7,7 @@
 
 namespace stickslip {
 
-void add_ideal_loop(CLI::App& verb, bool& ideal_loop)
+void add_ideal_loop(Verb& verb, bool& ideal_loop)
 {
     verb.add_flag("--ideal-loop", ideal_loop, "the paper's loop: no sampling, dead time, filter, lag or integral");
 }

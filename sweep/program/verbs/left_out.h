@@ -3,11 +3,11 @@
 #include "analysis/joint/joint.h"
 #include "sweep/files/toml/asked_axes.h"
 
-#include <CLI/CLI.hpp>
+#include "sweep/program/verbs/command_line.h"
 
 namespace stickslip {
 
-void add_ideal_loop(CLI::App& verb, bool& ideal_loop);
+void add_ideal_loop(Verb& verb, bool& ideal_loop);
 
 /// Puts the ideal loop in place of the joint's own, and says to standard error which keys of the loop the answer is
 /// without, and whether the joint as described slides smoothly. Nothing where the joint has the ideal loop anyway.

@@ -82,7 +82,7 @@ Json effect_list(bool with_parameters)
     Json json = Json::array();
     for (const auto& effect : gap::effects()) {
         Json entry{{"name", effect.name},
-                   {"stage", effect.stage},
+                   {"stage", gap::name_of(effect.stage)},
                    {"form", effect.form},
                    {"source", effect.source},
                    {"signature", effect.signature}};
@@ -203,32 +203,32 @@ struct Options {
 
 }  // namespace
 
-void add_list(CLI::App& app, Invocation&)
+void add_list(CommandLine& line, Invocation&)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("list", "List friction laws, joints, effects, parameters or keys");
-    verb->add_option("WHAT", options->what,
-                     "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
+    auto verb = line.add_verb("list", "List friction laws, joints, effects, parameters or keys");
+    verb.add_option("WHAT", options->what,
+                    "laws | joints | effects | parameters | keys (numbers and words, with defaults)")
         ->required()
         ->check(one_of({"laws", "joints", "effects", "parameters", "keys"}));
-    verb->add_option("--joint", options->joint, "list the parameters or keys of this joint file");
+    verb.add_option("--joint", options->joint, "list the parameters or keys of this joint file");
     std::vector<std::string> law_names, model_names;
     for (const auto& law : laws()) law_names.emplace_back(law.name);
     for (const auto& model : models) model_names.emplace_back(model.name);
-    verb->add_option("--law", options->law, "without a file: list those of a joint with this law")
+    verb.add_option("--law", options->law, "without a file: list those of a joint with this law")
         ->check(one_of(law_names))
         ->capture_default_str();
-    verb->add_option("--model", options->model, "without a file: list the keys of this model")
+    verb.add_option("--model", options->model, "without a file: list the keys of this model")
         ->check(one_of(model_names))
         ->capture_default_str();
-    verb->add_flag("--json", options->json, "machine-readable, stable names");
-    verb->add_flag("--markdown", options->markdown, "with keys: every key of every file, and the columns, as a page");
-    verb->footer(
+    verb.add_flag("--json", options->json, "machine-readable, stable names");
+    verb.add_flag("--markdown", options->markdown, "with keys: every key of every file, and the columns, as a page");
+    verb.footer(
         "Example: stickslip list parameters --law stribeck\n"
         "Example: stickslip list keys --model two-mass --law lugre");
-    verb->callback([options] {
+    verb.callback([options] {
         if (options->markdown && options->what != "keys")
-            throw CLI::ValidationError("--markdown", "is for keys: stickslip list keys --markdown");
+            refuse_option("--markdown", "is for keys: stickslip list keys --markdown");
         if (options->markdown) return fmt::print("{}", reference_text());
         const Json list = options->what == "laws"      ? law_list()
                           : options->what == "joints"  ? joint_list()

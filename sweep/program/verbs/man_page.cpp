@@ -4,6 +4,7 @@
 #include "sweep/program/verbs/verbs.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace stickslip {
 namespace {
@@ -68,12 +69,12 @@ std::string man_page(const CLI::App& app)
 
 }  // namespace
 
-void add_man_page(CLI::App& app, Invocation& invocation)
+void add_man_page(CommandLine& line, Invocation& invocation)
 {
-    auto* verb = app.add_subcommand("man-page", "Print the manual page");
-    verb->footer("Example: stickslip man-page | man -l -");
-    verb->callback([&app, &invocation] {
-        fmt::print("{}", man_page(app));
+    auto verb = line.add_verb("man-page", "Print the manual page");
+    verb.footer("Example: stickslip man-page | man -l -");
+    verb.callback([&declared = line.declared(), &invocation] {
+        fmt::print("{}", man_page(declared));
         invocation.exit_code = exit_done;
     });
 }

@@ -100,35 +100,35 @@ int margins(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_margins(CLI::App& app, Invocation& invocation)
+void add_margins(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "margins", "Distance of a design from its boundaries: nearest in all directions, one by one, worst case");
-    verb->add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
-    verb->add_option("--set", options->settings, "set a parameter first: path=value");
-    verb->add_option("--uncertain", options->uncertain,
-                     "uncertainty of parameters: PATH=20%, 'friction.B - friction.A=10%'");
-    verb->add_option("--shape", options->shape, "shape of the uncertainty: box, or an ellipsoid within it")
+    verb.add_option("INPUT", options->input, "sweep spec or joint description, TOML")->required();
+    verb.add_option("--set", options->settings, "set a parameter first: path=value");
+    verb.add_option("--uncertain", options->uncertain,
+                    "uncertainty of parameters: PATH=20%, 'friction.B - friction.A=10%'");
+    verb.add_option("--shape", options->shape, "shape of the uncertainty: box, or an ellipsoid within it")
         ->check(one_of({"box", "ellipsoid"}))
         ->capture_default_str();
-    verb->add_option("--over", options->over,
-                     "two axes over which the robustly stable set is followed: PATH or PATH=FROM..TO")
+    verb.add_option("--over", options->over,
+                    "two axes over which the robustly stable set is followed: PATH or PATH=FROM..TO")
         ->expected(2);
-    verb->add_option("--guard", options->guard, "cells along each axis of the guarding grid")
+    verb.add_option("--guard", options->guard, "cells along each axis of the guarding grid")
         ->check(whole_between(2, 512))
         ->capture_default_str();
-    verb->add_option("-o,--output", options->directory, "write margins.json and report.html here");
-    add_threads(*verb, options->threads, "0: all cores")->capture_default_str();
-    verb->add_option("--effort", options->effort, "multiple of the usual work of a search for crossings")
+    verb.add_option("-o,--output", options->directory, "write margins.json and report.html here");
+    add_threads(verb, options->threads, "number of threads; 0: all cores")->capture_default_str();
+    verb.add_option("--effort", options->effort, "multiple of the usual work of a search for crossings")
         ->check(positive_number());
-    add_ideal_loop(*verb, options->ideal_loop);
-    verb->add_flag("--json", options->json, "print margins.json instead of text");
-    verb->footer(
+    add_ideal_loop(verb, options->ideal_loop);
+    verb.add_flag("--json", options->json, "print margins.json instead of text");
+    verb.footer(
         "Example: stickslip margins examples/01-reference-joint/spec.toml --uncertain friction.L=20% --uncertain "
         "'friction.B - friction.A=10%' --over control.k_p control.k_v -o out\n"
         "Exit codes: 0 answered, 2 bad input, 4 the joint has no verdict.");
-    verb->callback([options, &invocation] { invocation.exit_code = margins(*options, invocation); });
+    verb.callback([options, &invocation] { invocation.exit_code = margins(*options, invocation); });
 }
 
 }  // namespace stickslip

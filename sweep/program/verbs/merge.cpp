@@ -40,15 +40,15 @@ int merge_journals(const Options& options)
 
 }  // namespace
 
-void add_merge(CLI::App& app, Invocation& invocation)
+void add_merge(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("merge", "Merge the journals of shards into one results.nc");
-    verb->add_option("DIR", options->directories, "directories of the shards")->required();
-    verb->add_option("-o,--output", options->results, "results file; default: results.nc in the first directory");
-    verb->add_flag("--keep-journal", options->keep_journal, "keep the journals, as large as the results");
-    verb->footer("Example: stickslip merge out");
-    verb->callback([options, &invocation] { invocation.exit_code = merge_journals(*options); });
+    auto verb = line.add_verb("merge", "Merge the journals of shards into one results.nc");
+    verb.add_option("DIR", options->directories, "directories of the shards")->required();
+    verb.add_option("-o,--output", options->results, "results file; default: results.nc in the first directory");
+    verb.add_flag("--keep-journal", options->keep_journal, "keep the journals, as large as the results");
+    verb.footer("Example: stickslip merge out");
+    verb.callback([options, &invocation] { invocation.exit_code = merge_journals(*options); });
 }
 
 }  // namespace stickslip

@@ -64,27 +64,27 @@ int new_file(const Options& options)
 
 }  // namespace
 
-void add_new(CLI::App& app, Invocation& invocation)
+void add_new(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("new", "Write a commented joint or sweep file that runs, to fill in");
-    verb->add_option("WHAT", options->what, "joint | spec")->required()->check(one_of({"joint", "spec"}));
-    verb->add_option("--model", options->model, "lumped model")->check(one_of(names_of(models)))->capture_default_str();
+    auto verb = line.add_verb("new", "Write a commented joint or sweep file that runs, to fill in");
+    verb.add_option("WHAT", options->what, "joint | spec")->required()->check(one_of({"joint", "spec"}));
+    verb.add_option("--model", options->model, "lumped model")->check(one_of(names_of(models)))->capture_default_str();
     std::vector<std::string> names;
     for (const auto& law : laws()) names.emplace_back(law.name);
-    verb->add_option("--law", options->law, "friction law, on every body")->check(one_of(names))->capture_default_str();
-    verb->add_option("--motion", options->motion, "what the joint does")
+    verb.add_option("--law", options->law, "friction law, on every body")->check(one_of(names))->capture_default_str();
+    verb.add_option("--motion", options->motion, "what the joint does")
         ->check(one_of(names_of(motions)))
         ->capture_default_str();
-    verb->add_option("--from", options->from, "start from this joint or spec instead of an example");
-    verb->add_option("--set", options->settings, "set a number or word: path=value");
-    verb->add_flag("--plain", options->plain, "only what differs from its default, without comments");
-    verb->add_option("-o,--output", options->file, "file to write; default: standard output");
-    verb->add_flag("--force", options->force, "replace the file if it exists");
-    verb->footer(
+    verb.add_option("--from", options->from, "start from this joint or spec instead of an example");
+    verb.add_option("--set", options->settings, "set a number or word: path=value");
+    verb.add_flag("--plain", options->plain, "only what differs from its default, without comments");
+    verb.add_option("-o,--output", options->file, "file to write; default: standard output");
+    verb.add_flag("--force", options->force, "replace the file if it exists");
+    verb.footer(
         "Example: stickslip new joint --motion revolute --model two-mass --law stribeck -o joint.toml\n"
         "Example: stickslip new joint --from joint.toml --set control.k_p=2e4 --plain -o stiffer.toml");
-    verb->callback([options, &invocation] { invocation.exit_code = new_file(*options); });
+    verb.callback([options, &invocation] { invocation.exit_code = new_file(*options); });
 }
 
 }  // namespace stickslip

@@ -1,7 +1,8 @@
-// What numbers an option takes. The ranges of CLI11 let NaN pass, as it is neither below nor above an end.
+// What numbers an option takes. The ranges of the library let NaN pass, as it is neither below nor above an end.
 #pragma once
+#include "sweep/program/verbs/command_line.h"
+
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <limits>
@@ -13,54 +14,54 @@ inline constexpr int most_threads = 4096;
 
 /// A finite number for which `allowed` holds; `expected` names such numbers, `name` is their type in the help.
 template <class Allowed>
-CLI::Validator number_where(Allowed allowed, const std::string& expected, const std::string& name)
+Check number_where(Allowed allowed, const std::string& expected, const std::string& name)
 {
     return {[allowed, expected](const std::string& text) -> std::string {
-                double value = 0;
-                const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && allowed(value);
+                const auto value = number_in(text);
+                const bool good = value && std::isfinite(*value) && allowed(*value);
                 return good ? "" : "got \"" + text + "\", expected " + expected;
             },
-            name, name};
+            name};
 }
 
-inline CLI::Validator finite_number()
+inline Check finite_number()
 {
     return number_where([](double) { return true; }, "a finite number", "");
 }
 
 /// Normal numbers: what is divided by one stays finite.
-inline CLI::Validator positive_number()
+inline Check positive_number()
 {
     return number_where([](double x) { return x >= std::numeric_limits<double>::min(); }, "a number above 0",
                         "POSITIVE");
 }
 
-inline CLI::Validator not_negative_number()
+inline Check not_negative_number()
 {
     return number_where([](double x) { return x >= 0; }, "a number of at least 0", "NONNEGATIVE");
 }
 
-inline CLI::Validator between(double low, double high)
+inline Check between(double low, double high)
 {
     return number_where([low, high](double x) { return x >= low && x <= high; }, fmt::format("{:g} to {:g}", low, high),
                         fmt::format("in [{:g} - {:g}]", low, high));
 }
 
-inline CLI::Validator whole_between(int low, int high)
+inline Check whole_between(int low, int high)
 {
     return number_where([low, high](double x) { return x >= low && x <= high && x == std::floor(x); },
                         fmt::format("a whole number from {} to {}", low, high), fmt::format("in [{} - {}]", low, high));
 }
 
 /// Seeds and the like.
-inline CLI::Validator whole_number()
+inline Check whole_number()
 {
     return number_where([](double x) { return x >= 0 && x == std::floor(x); }, "a whole number of at least 0",
                         "NONNEGATIVE");
 }
 
 /// --threads, which every verb that computes in parallel has; 0: all cores.
-inline CLI::Option* add_threads(CLI::App& verb, int& threads, const std::string& says)
+inline Option add_threads(Verb& verb, int& threads, const std::string& says)
 {
     return verb.add_option("--threads", threads, says)->check(whole_between(0, most_threads));
 }

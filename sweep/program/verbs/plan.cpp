@@ -94,18 +94,18 @@ int run(const Options& options)
 
 }  // namespace
 
-void add_plan(CLI::App& app, Invocation& invocation)
+void add_plan(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("plan", "List, before measuring, the effects that a motion can show");
-    verb->add_option("JOINT", options->joint, "nominal joint, TOML, with control.period and [sensor]")->required();
-    verb->add_option("TRAJECTORY", options->trajectory, "CSV or .csv.gz with time and reference_position")->required();
-    verb->add_option("-o,--output", options->directory,
-                     "write plan.json here and search for a motion that distinguishes more (next-motion.csv)");
-    add_threads(*verb, options->threads, "threads, 0 for all; the answer does not depend on it");
-    verb->add_flag("--json", options->json, "print plan.json");
-    verb->footer("Example: stickslip plan joint.toml trajectory.csv --json\nExit codes: 0 done, 2 bad input.");
-    verb->callback([options, &invocation] { invocation.exit_code = run(*options); });
+    auto verb = line.add_verb("plan", "List, before measuring, the effects that a motion can show");
+    verb.add_option("JOINT", options->joint, "nominal joint, TOML, with control.period and [sensor]")->required();
+    verb.add_option("TRAJECTORY", options->trajectory, "CSV or .csv.gz with time and reference_position")->required();
+    verb.add_option("-o,--output", options->directory,
+                    "write plan.json here and search for a motion that distinguishes more (next-motion.csv)");
+    add_threads(verb, options->threads, "number of threads; 0: all cores; the answer does not depend on it");
+    verb.add_flag("--json", options->json, "print plan.json");
+    verb.footer("Example: stickslip plan joint.toml trajectory.csv --json\nExit codes: 0 done, 2 bad input.");
+    verb.callback([options, &invocation] { invocation.exit_code = run(*options); });
 }
 
 }  // namespace stickslip

@@ -93,18 +93,18 @@ int report(const Options& options)
 
 }  // namespace
 
-void add_report(CLI::App& app, Invocation& invocation)
+void add_report(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("report", "Draw the report of a finished sweep again, or compare two sweeps");
-    verb->add_option("DIR", options->directories, "directory of the sweep; two of them: what changed from A to B")
+    auto verb = line.add_verb("report", "Draw the report of a finished sweep again, or compare two sweeps");
+    verb.add_option("DIR", options->directories, "directory of the sweep; two of them: what changed from A to B")
         ->required()
         ->expected(1, 2);
-    verb->add_option("-o,--output", options->output, "directory of the comparison")->capture_default_str();
-    verb->add_option("--timestamp", options->timestamp,
-                     "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
-    verb->footer("Examples: stickslip report out\n          stickslip report before after -o comparison");
-    verb->callback([options, &invocation] { invocation.exit_code = report(*options); });
+    verb.add_option("-o,--output", options->output, "directory of the comparison")->capture_default_str();
+    verb.add_option("--timestamp", options->timestamp,
+                    "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
+    verb.footer("Examples: stickslip report out\n          stickslip report before after -o comparison");
+    verb.callback([options, &invocation] { invocation.exit_code = report(*options); });
 }
 
 }  // namespace stickslip

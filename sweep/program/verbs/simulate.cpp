@@ -169,36 +169,36 @@ int simulate_joint(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Invocation& invocation)
+void add_simulate(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand(
+    auto verb = line.add_verb(
         "simulate", "One motion of one joint: trajectory.csv, time series, phase portrait, friction-velocity loop");
-    verb->add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
-    verb->add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
-    verb->add_option("--set", options->settings, "set a parameter first: path=value");
-    options->disturbance.add_to(*verb);
-    options->surroundings.add_to(*verb);
+    verb.add_option("JOINT", options->joint, "joint description, or a spec: its design point, TOML")->required();
+    verb.add_option("-o,--output", options->directory, "directory of the files")->capture_default_str();
+    verb.add_option("--set", options->settings, "set a parameter first: path=value");
+    options->disturbance.add_to(verb);
+    options->surroundings.add_to(verb);
     options->surroundings.add_duration_to(
-        *verb,
+        verb,
         "fifty turns of the slowest mode, up to 400 where it grows slowly, at most 100000 ticks; with a "
         "force until the mode has shown itself; a file's own");
-    verb->add_option("--reference", options->reference,
-                     "follow this reference instead and write record.csv, which diagnose reads: CSV with time, "
-                     "reference_position and, where it has them, reference_velocity and feed_forward")
-        ->check(CLI::ExistingFile);
-    verb->add_flag("--ideal-loop", options->ideal_loop,
-                   "the paper's loop: no sampling, dead time, filter, lag or integral");
-    verb->add_option("--tolerance", options->tolerance, "relative tolerance")
+    verb.add_option("--reference", options->reference,
+                    "follow this reference instead and write record.csv, which diagnose reads: CSV with time, "
+                    "reference_position and, where it has them, reference_velocity and feed_forward")
+        ->check(existing_file());
+    verb.add_flag("--ideal-loop", options->ideal_loop,
+                  "the paper's loop: no sampling, dead time, filter, lag or integral");
+    verb.add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(between(1e-13, 1e-2))
         ->capture_default_str();
-    verb->footer(
+    verb.footer(
         "Example: stickslip simulate examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 --set "
         "control.k_p=5e4 -o out\n"
         "Example: stickslip simulate joint.toml --reference motion.csv --seed 7 -o out\n"
         "Example: stickslip simulate joint.toml --force sine --force-size 0.1 --omega 60 -o out\n"
         "Example: stickslip simulate joint.toml --normal-load record.csv --nominal-load 250 -o out");
-    verb->callback([options, &invocation] {
+    verb.callback([options, &invocation] {
         invocation.exit_code =
             options->reference.empty() ? simulate_joint(*options, invocation) : record_joint(*options, invocation);
     });

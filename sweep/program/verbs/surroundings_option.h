@@ -6,7 +6,7 @@
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/study/disturbed_motion.h"
 
-#include <CLI/CLI.hpp>
+#include "sweep/program/verbs/command_line.h"
 
 #include <string>
 
@@ -17,7 +17,7 @@ struct SurroundingsOption {
     std::string load_file;
     double nominal_load = 1;
 
-    void add_to(CLI::App& verb)
+    void add_to(Verb& verb)
     {
         verb.add_option("--force", force.kind,
                         "disturbing force d(t) on the link: impulse | step | sine | noise | a file with time and force")
@@ -27,16 +27,16 @@ struct SurroundingsOption {
             ->capture_default_str();
         verb.add_option("--omega", force.omega, "rad/s of a sine; default: the peak of |X/D|")
             ->check(positive_number());
-        verb.add_option("--seed", force.seed, "of noise")->check(whole_number())->capture_default_str();
+        verb.add_option("--seed", force.seed, "seed of the noise")->check(whole_number())->capture_default_str();
         verb.add_option("--normal-load", load_file,
                         "normal load on the link's friction over time: a record with time and normal_load")
-            ->check(CLI::ExistingFile);
+            ->check(existing_file());
         verb.add_option("--nominal-load", nominal_load,
                         "the normal load at which the numbers of the friction law hold, in the record's unit")
             ->check(positive_number())
             ->capture_default_str();
     }
-    void add_duration_to(CLI::App& verb, const char* by_default)
+    void add_duration_to(Verb& verb, const char* by_default)
     {
         verb.add_option("--duration", force.duration, std::string("s; default: ") + by_default)
             ->check(positive_number());

@@ -167,32 +167,32 @@ int sweep(const Options& options, Invocation& invocation)
 
 }  // namespace
 
-void add_sweep(CLI::App& app, Invocation& invocation)
+void add_sweep(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb = app.add_subcommand("sweep", "Sweep a design space: results.nc and report.html");
-    verb->add_option("SPEC", options->spec, "sweep spec, TOML; without it the embedded example runs");
-    verb->add_option("-o,--output", options->directory, "directory of the results; an interrupted sweep resumes there")
+    auto verb = line.add_verb("sweep", "Sweep a design space: results.nc and report.html");
+    verb.add_option("SPEC", options->spec, "sweep spec, TOML; without it the embedded example runs");
+    verb.add_option("-o,--output", options->directory, "directory of the results; an interrupted sweep resumes there")
         ->capture_default_str();
-    add_threads(*verb, options->threads, "threads, 0 for all cores")->capture_default_str();
-    verb->add_option("--shard", options->shard, "compute only part i of n, as i/n; then: stickslip merge DIR");
-    verb->add_option("--max-undecided", options->max_undecided,
-                     "exit 4 if more than this share of the points is undecided")
+    add_threads(verb, options->threads, "number of threads; 0: all cores")->capture_default_str();
+    verb.add_option("--shard", options->shard, "compute only part i of n, as i/n; then: stickslip merge DIR");
+    verb.add_option("--max-undecided", options->max_undecided,
+                    "exit 4 if more than this share of the points is undecided")
         ->check(between(0, 1))
         ->capture_default_str();
-    verb->add_flag("--fresh", options->fresh, "discard an earlier sweep in the directory");
-    verb->add_flag("--keep-journal", options->keep_journal, "keep the journal, as large as the results");
-    verb->add_flag("--no-report", options->no_report, "write results.nc only");
-    verb->add_option("--timestamp", options->timestamp,
-                     "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
-    add_ideal_loop(*verb, options->ideal_loop);
-    verb->add_flag("--every-point", options->every_point,
-                   "compute every point of a dense nonlinear map, interpolate none");
-    verb->add_flag("--json", options->json, "machine-readable summary");
-    verb->footer(
+    verb.add_flag("--fresh", options->fresh, "discard an earlier sweep in the directory");
+    verb.add_flag("--keep-journal", options->keep_journal, "keep the journal, as large as the results");
+    verb.add_flag("--no-report", options->no_report, "write results.nc only");
+    verb.add_option("--timestamp", options->timestamp,
+                    "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
+    add_ideal_loop(verb, options->ideal_loop);
+    verb.add_flag("--every-point", options->every_point,
+                  "compute every point of a dense nonlinear map, interpolate none");
+    verb.add_flag("--json", options->json, "machine-readable summary");
+    verb.footer(
         "Example: stickslip sweep examples/02-ball-screw/spec-with-memory.toml -o out\n"
         "Exit codes: 0 done, 2 bad input, 3 interrupted (the same command continues), 4 too many points undecided.");
-    verb->callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });
+    verb.callback([options, &invocation] { invocation.exit_code = sweep(*options, invocation); });
 }
 
 }  // namespace stickslip

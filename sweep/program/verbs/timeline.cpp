@@ -106,24 +106,23 @@ int timeline_verb(const Options& options, const Invocation& invocation)
 
 }  // namespace
 
-void add_timeline(CLI::App& app, Invocation& invocation)
+void add_timeline(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
-    auto* verb =
-        app.add_subcommand("timeline", "Draw the dated diagnoses of one joint on one page: gap, causes, numbers");
-    verb->add_option("RUN", options->places,
-                     "folders that diagnose or check wrote, or one folder of them; a date stands in the name")
+    auto verb = line.add_verb("timeline", "Draw the dated diagnoses of one joint on one page: gap, causes, numbers");
+    verb.add_option("RUN", options->places,
+                    "folders written by diagnose or check, or one folder that contains them; each name contains a date")
         ->required();
-    verb->add_option("--joint", options->joint, "of diagnoses of a robot: which joint");
-    verb->add_option("-o,--output", options->directory, "directory for timeline.json and report.html")
+    verb.add_option("--joint", options->joint, "name of the joint, for diagnoses of a robot");
+    verb.add_option("-o,--output", options->directory, "directory for timeline.json and report.html")
         ->capture_default_str();
-    verb->add_flag("--json", options->json, "print timeline.json");
-    verb->add_flag("--no-report", options->no_report, "do not write the page");
-    verb->footer(
+    verb.add_flag("--json", options->json, "print timeline.json");
+    verb.add_flag("--no-report", options->no_report, "do not write the page");
+    verb.footer(
         "Example: stickslip timeline runs -o elbow-over-time\n"
         "Example: stickslip timeline arm-2026-03-01 arm-2026-04-01 --joint elbow\n"
         "Exit codes: 0 done, 2 bad input.");
-    verb->callback([options, &invocation] { invocation.exit_code = timeline_verb(*options, invocation); });
+    verb.callback([options, &invocation] { invocation.exit_code = timeline_verb(*options, invocation); });
 }
 
 }  // namespace stickslip

@@ -1,6 +1,6 @@
 // The verbs of the program. Each adds itself to the command line and runs when chosen.
 #pragma once
-#include <CLI/CLI.hpp>
+#include "sweep/program/verbs/command_line.h"
 
 #include <atomic>
 #include <string>
@@ -25,25 +25,25 @@ void catch_interrupts(Invocation& invocation);
 /// kept. As every verb begins.
 void leave_on_interrupts(std::string_view words);
 
-void add_sweep(CLI::App& app, Invocation& invocation);
-void add_boundary(CLI::App& app, Invocation& invocation);
-void add_design(CLI::App& app, Invocation& invocation);
-void add_margins(CLI::App& app, Invocation& invocation);
-void add_check(CLI::App& app, Invocation& invocation);
-void add_evaluate(CLI::App& app, Invocation& invocation);
-void add_export(CLI::App& app, Invocation& invocation);
-void add_figures(CLI::App& app, Invocation& invocation);
-void add_list(CLI::App& app, Invocation& invocation);
-void add_new(CLI::App& app, Invocation& invocation);
-void add_convert(CLI::App& app, Invocation& invocation);
-void add_import(CLI::App& app, Invocation& invocation);
-void add_merge(CLI::App& app, Invocation& invocation);
-void add_diagnose(CLI::App& app, Invocation& invocation);
-void add_plan(CLI::App& app, Invocation& invocation);
-void add_blind(CLI::App& app, Invocation& invocation);
-void add_report(CLI::App& app, Invocation& invocation);
-void add_completion(CLI::App& app, Invocation& invocation);
-void add_man_page(CLI::App& app, Invocation& invocation);
-void add_simulate(CLI::App& app, Invocation& invocation);
+void add_sweep(CommandLine& line, Invocation& invocation);
+void add_boundary(CommandLine& line, Invocation& invocation);
+void add_design(CommandLine& line, Invocation& invocation);
+void add_margins(CommandLine& line, Invocation& invocation);
+void add_check(CommandLine& line, Invocation& invocation);
+void add_evaluate(CommandLine& line, Invocation& invocation);
+void add_export(CommandLine& line, Invocation& invocation);
+void add_figures(CommandLine& line, Invocation& invocation);
+void add_list(CommandLine& line, Invocation& invocation);
+void add_new(CommandLine& line, Invocation& invocation);
+void add_convert(CommandLine& line, Invocation& invocation);
+void add_import(CommandLine& line, Invocation& invocation);
+void add_merge(CommandLine& line, Invocation& invocation);
+void add_diagnose(CommandLine& line, Invocation& invocation);
+void add_plan(CommandLine& line, Invocation& invocation);
+void add_blind(CommandLine& line, Invocation& invocation);
+void add_report(CommandLine& line, Invocation& invocation);
+void add_completion(CommandLine& line, Invocation& invocation);
+void add_man_page(CommandLine& line, Invocation& invocation);
+void add_simulate(CommandLine& line, Invocation& invocation);
 
 }  // namespace stickslip

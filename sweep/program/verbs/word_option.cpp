@@ -41,7 +41,7 @@ std::string did_you_mean(const std::string& given, const std::vector<std::string
     return near.empty() ? "" : "; did you mean " + near.front() + "?";
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words)
+Check one_of(const std::vector<std::string>& words)
 {
     return {[words](const std::string& given) {
                 return std::ranges::count(words, given) > 0 ? std::string() : not_among(given, words, "");
@@ -49,10 +49,10 @@ CLI::Validator one_of(const std::vector<std::string>& words)
             in_braces(words)};
 }
 
-CLI::Validator one_of_or_file(const std::vector<std::string>& words)
+Check one_of_or_file(const std::vector<std::string>& words)
 {
-    return {[words](std::string& given) {
-                const bool known = std::ranges::count(words, given) > 0 || CLI::ExistingFile(given).empty();
+    return {[words](const std::string& given) {
+                const bool known = std::ranges::count(words, given) > 0 || existing_file().complaint(given).empty();
                 return known ? std::string() : not_among(given, words, " or a file");
             },
             "(" + in_braces(words) + ") OR (FILE)"};

@@ -1,6 +1,6 @@
 // Options that take one of a few words.
 #pragma once
-#include <CLI/CLI.hpp>
+#include "sweep/program/verbs/command_line.h"
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@ std::string listed(const std::vector<std::string>& names);
 std::string did_you_mean(const std::string& given, const std::vector<std::string>& known);
 
 /// One of the words; the error says what it got, all of them and the nearest.
-CLI::Validator one_of(const std::vector<std::string>& words);
+Check one_of(const std::vector<std::string>& words);
 /// One of the words or a file that exists.
-CLI::Validator one_of_or_file(const std::vector<std::string>& words);
+Check one_of_or_file(const std::vector<std::string>& words);
 
 }  // namespace stickslip

@@ -23,7 +23,7 @@ POLICY = "analysis/diagnosis/policy/policy.h"
 LIMITS = "analysis/base/work_limits.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
            "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design", "plan", "motion", "import", "export",
-           "list", "figures", "answers", "truth", "score", "calibration", "sweep-plan", "run")
+           "list", "figures", "answers", "score", "calibration", "sweep-plan", "run")
 DRAWN_AGAIN = ("sweep-answer", "drawn-charts")  # long, and for the program alone
 REFERENCE = """# Reference
 
@@ -37,7 +37,7 @@ JSON_HEAD = """
 
 A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`, including
 `sweep-answer.schema.json` for `answer.json` (the input of `stickslip report`) and `drawn-charts.schema.json` for `charts/drawn.json`. Every answer has a
-`format` with a version; in `answers.json` and in the truth of blind cases it stands beside the names of the cases.
+`format` with a version, except `answers.json`, whose names are those of the cases.
 """
 METHOD = """# Thresholds of the diagnosis
 

@@ -84,9 +84,6 @@ struct Score {
 /// Judges every case that has a truth; a case without an answer counts as wrong.
 Score score(const std::map<std::string, Answer>& answers, const std::map<std::string, Truth>& truths);
 
-/// Of answers.json and of the file with the truth. Files without a format are read as these.
-inline constexpr char answers_format[] = "stickslip-answers/1", truth_format[] = "stickslip-truth/1";
-
 /// Reads answers.json: {case: {verdict, effects: [name or [names] by rank], gap_before, gap_after, probabilities?,
 /// ambiguous_with?}}. Throws std::invalid_argument with the case's name if something is not of that form.
 std::map<std::string, Answer> parse_answers(const std::string& json);

@@ -33,10 +33,9 @@ double number_or_nan(const Json& j, const char* key)
     return j.contains(key) && j[key].is_number() ? j[key].get<double>() : unknown_value;
 }
 
-/// Reads {case: …} with one reader a case; whatever goes wrong is reported with the name of the case. A file that says
-/// its format has to say the one that is read here.
+/// Reads {case: …} with one reader a case; whatever goes wrong is reported with the name of the case.
 template <class T, class Read>
-std::map<std::string, T> parse_cases(const std::string& text, const char* what, const char* format, Read read)
+std::map<std::string, T> parse_cases(const std::string& text, const char* what, Read read)
 {
     std::map<std::string, T> all;
     Json json;
@@ -47,10 +46,6 @@ std::map<std::string, T> parse_cases(const std::string& text, const char* what, 
     }
     if (!json.is_object()) throw std::invalid_argument(fmt::format("{}: expected an object of cases", what));
     for (const auto& [name, j] : json.items()) {
-        if (name == "format" && j.is_string()) {
-            if (j == format) continue;
-            throw std::invalid_argument(fmt::format("{}: format: got {}, expected \"{}\"", what, j.dump(), format));
-        }
         try {
             all[name] = read(j);
         } catch (const nlohmann::json::exception& e) {
@@ -104,7 +99,7 @@ std::string group(const char* what, const std::map<std::string, Share>& shares)
 
 std::map<std::string, Answer> parse_answers(const std::string& text)
 {
-    return parse_cases<Answer>(text, "answers", answers_format, [](const Json& j) {
+    return parse_cases<Answer>(text, "answers", [](const Json& j) {
         Answer a;
         a.verdict = j.at("verdict");
         if (j.contains("effects")) a.ranked = effect_sets(j["effects"]);
@@ -118,7 +113,7 @@ std::map<std::string, Answer> parse_answers(const std::string& text)
 
 std::map<std::string, Truth> parse_truths(const std::string& text)
 {
-    return parse_cases<Truth>(text, "truth", truth_format, [](const Json& j) {
+    return parse_cases<Truth>(text, "truth", [](const Json& j) {
         Truth t;
         t.verdict = j.at("verdict");
         t.effects = j.at("effects").get<EffectSet>();

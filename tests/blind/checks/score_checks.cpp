@@ -142,16 +142,6 @@ TEST_CASE("answers are read with names, sets or objects of names, and errors nam
     CHECK_THROWS_AS(parse_truths("[1]"), std::invalid_argument);
 }
 
-TEST_CASE("a file of answers or of truth that says another format is refused, one that says none is read", "[blind]")
-{
-    const std::string one = R"("x": {"verdict": "gap", "effects": ["viscous"]}})";
-    CHECK(parse_answers("{" + one).size() == 1);
-    CHECK(parse_answers(R"({"format": "stickslip-answers/1", )" + one).size() == 1);
-    CHECK(parse_truths(R"({"format": "stickslip-truth/1", )" + one).size() == 1);
-    CHECK_THROWS_WITH(parse_truths(R"({"format": "stickslip-answers/1", )" + one),
-                      Catch::Contains("stickslip-truth/1"));
-}
-
 TEST_CASE("bounds of a counted share are those of Clopper and Pearson", "[score]")
 {
     // all right: the share p with p^n = 0.05; 8 of 10: 45p⁸q² + 10p⁹q + p¹⁰ = 0.05, in exact fractions

@@ -222,8 +222,7 @@ void write_case(const SealedCase& c, const std::filesystem::path& folder)
 std::string truth_json(const std::map<std::string, SealedCase>& cases, const std::string& engine,
                        const std::string& earlier)
 {
-    auto all = nlohmann::ordered_json{{"format", "stickslip-truth/1"}};
-    if (!earlier.empty()) all.update(nlohmann::ordered_json::parse(earlier));
+    auto all = earlier.empty() ? nlohmann::ordered_json::object() : nlohmann::ordered_json::parse(earlier);
     for (const auto& [name, c] : cases) {
         nlohmann::ordered_json j;
         j["verdict"] = c.verdict;

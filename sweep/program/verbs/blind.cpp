@@ -204,7 +204,7 @@ int run_cases(const Options& options, Invocation& invocation)
         fs::remove_all(root / name);
     }
     fs::remove_all(root);
-    Json all{{"format", blind::answers_format}};
+    Json all = Json::object();
     for (auto& [name, answer] : answers) all[name] = answer;
     const fs::path file =
         options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);

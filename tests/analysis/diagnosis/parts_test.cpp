@@ -1,5 +1,6 @@
 // A cause under the name of another whose formula contains it.
 #include "analysis/diagnosis/ladder/climber.h"
+#include "analysis/diagnosis/verdict/experiment.h"
 #include "tests/analysis/diagnosis/ladder_search.h"
 
 #include <catch2/catch.hpp>

@@ -194,6 +194,7 @@ class Descent {
 /// On the other side of the nearest whole unit; nothing where the number is far from one.
 std::optional<double> across_a_jump(double x)
 {
+    // numerical: behind a jump by more than a clock's rounding; further off, slopes have led away from it
     constexpr double just_behind = 0.02, near = 0.25;
     const double whole = std::round(x);
     if (x == whole || std::abs(x - whole) > near) return {};

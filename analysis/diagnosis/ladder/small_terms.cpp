@@ -133,15 +133,17 @@ std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const 
     if (ladder.rungs.size() < 2) return std::nullopt;
     const Candidate &all = ladder.last().causes, &below = ladder.rungs[ladder.rungs.size() - 2].causes;
     if (two_mass_edit(all)) return std::nullopt;  // ten times as dear to climb
+    const auto is_new = [&](const Effect* e) { return std::ranges::count(below.effects, e) == 0; };
+    // all of the rung or nothing of it
+    if (std::ranges::any_of(all.effects, [&](const Effect* e) {
+            return is_new(e) && (!Corrections::is_small_term(*e) || corrections_->has(e->name));
+        }))
+        return std::nullopt;
     const Eigen::VectorXd x = ladder.last().of_causes(ladder.last().fit.x);
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < all.effects.size(); ++i) {
         const auto count = static_cast<Eigen::Index>(all.count_of(*all.forms[i]));
-        const Effect& effect = *all.effects[i];
-        if (std::ranges::count(below.effects, &effect) == 0) {
-            if (!Corrections::is_small_term(effect) || corrections_->has(effect.name)) return std::nullopt;
-            corrections_->add_small_term(effect, *all.forms[i], x.segment(at, count));
-        }
+        if (is_new(all.effects[i])) corrections_->add_small_term(*all.effects[i], *all.forms[i], x.segment(at, count));
         at += count;
     }
     begin();

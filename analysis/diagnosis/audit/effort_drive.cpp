@@ -54,35 +54,72 @@ Terms terms_of(const Record& r, const Joint& joint)
     return terms;
 }
 
-/// Least squares of the effort on some columns, `late` rows before it; rows at the largest effort may be at a limit.
-struct Regression {
-    double left = 1;
-    Eigen::VectorXd x;
-};
+using Columns = std::vector<const std::vector<double>*>;
 
-Regression regress(const Terms& terms, const std::vector<const std::vector<double>*>& columns, bool constant,
-                   std::size_t late)
-{
-    double largest = 0;
-    for (double e : terms.effort) largest = std::max(largest, std::abs(e));
-    const double below = policy::below_limit * (largest - policy::scatter_at_limit * noise_of(terms.effort));
-    std::vector<std::size_t> rows;
-    for (std::size_t k = late; k < terms.effort.size(); ++k)
-        if (std::abs(terms.effort[k]) < below) rows.push_back(k);
-    const auto n = static_cast<Eigen::Index>(rows.size());
-    const auto m = static_cast<Eigen::Index>(columns.size()) + (constant ? 1 : 0);
-    if (n <= m) return {};
-    Eigen::MatrixXd a(n, m);
-    Eigen::VectorXd b(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const std::size_t k = rows[static_cast<std::size_t>(i)];
-        for (std::size_t j = 0; j < columns.size(); ++j) a(i, static_cast<Eigen::Index>(j)) = (*columns[j])[k - late];
-        if (constant) a(i, m - 1) = 1;
-        b[i] = terms.effort[k];
+/// Least squares of the effort on some columns, `late` rows before it.
+class Regression {
+  public:
+    Regression(const Terms& terms, Columns columns, bool constant, std::size_t late)
+        : terms_(terms), columns_(std::move(columns)), constant_(constant), late_(late)
+    {
+        // what a controller wants beyond its limit does not come out. The middle of the range is no limit; which of
+        // the other rows are none is told by what this fit wants in them, since a controller makes noise of its own
+        constexpr double inner = 0.5;  // numerical: of the range
+        const auto [least, largest] = std::minmax_element(terms.effort.begin(), terms.effort.end());
+        const double middle = 0.5 * (*least + *largest), half = 0.5 * (*largest - *least);
+        fit([&](std::size_t k) { return std::abs(terms_.effort[k] - middle) < inner * half; });
+        if (!solved()) return;
+        const Eigen::VectorXd first = x_;
+        std::vector<double> wanted(terms.effort.size()), missed(terms.effort.size());
+        for (std::size_t k = late_; k < wanted.size(); ++k) {
+            wanted[k] = at(k).dot(first);
+            missed[k] =
+                std::abs(terms_.effort[k] - middle) < inner * half ? terms_.effort[k] - wanted[k] : std::nan("");
+        }
+        const double below = policy::below_limit * (half - policy::scatter_at_limit * noise_of(missed));
+        if (below > inner * half) fit([&](std::size_t k) { return std::abs(wanted[k] - middle) < below; });
     }
-    const Eigen::VectorXd x = a.colPivHouseholderQr().solve(b);
-    return {b.squaredNorm() > 0 ? (b - a * x).squaredNorm() / b.squaredNorm() : 0, x};
-}
+
+    /// Whether enough rows are known to be no limit.
+    bool solved() const { return x_.size() > 0; }
+    /// Part of the squares of these rows.
+    double left() const { return left_; }
+    const Eigen::VectorXd& numbers() const { return x_; }
+
+  private:
+    Eigen::VectorXd at(std::size_t row) const
+    {
+        const auto count = static_cast<Eigen::Index>(columns_.size());
+        Eigen::VectorXd values = Eigen::VectorXd::Ones(count + (constant_ ? 1 : 0));
+        for (Eigen::Index i = 0; i < count; ++i) values[i] = (*columns_[static_cast<std::size_t>(i)])[row - late_];
+        return values;
+    }
+    template <class Takes>
+    void fit(Takes&& takes)
+    {
+        std::vector<std::size_t> rows;
+        for (std::size_t k = late_; k < terms_.effort.size(); ++k)
+            if (takes(k)) rows.push_back(k);
+        const auto n = static_cast<Eigen::Index>(rows.size());
+        const auto m = static_cast<Eigen::Index>(columns_.size()) + (constant_ ? 1 : 0);
+        if (n <= m) return;
+        Eigen::MatrixXd a(n, m);
+        Eigen::VectorXd b(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            a.row(i) = at(rows[static_cast<std::size_t>(i)]);
+            b[i] = terms_.effort[rows[static_cast<std::size_t>(i)]];
+        }
+        x_ = a.colPivHouseholderQr().solve(b);
+        left_ = b.squaredNorm() > 0 ? (b - a * x_).squaredNorm() / b.squaredNorm() : 0;
+    }
+
+    const Terms& terms_;
+    Columns columns_;
+    bool constant_;
+    std::size_t late_;
+    double left_ = 1;
+    Eigen::VectorXd x_;
+};
 
 }  // namespace
 
@@ -106,14 +143,14 @@ EffortOfController effort_of_controller(const Record& record, const Joint& joint
     }
     if (squares > 0) found.as_documented = missed / squares;
     for (std::size_t late = 0; late <= policy::most_rows_late; ++late) {
-        const auto own =
-            regress(terms, {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added}, false, late);
-        found.left = std::min(found.left, own.left);
-        const auto pid =
-            regress(terms, {&terms.error, &terms.velocity, &terms.integral, &terms.rate, &terms.added}, true, late);
-        if (pid.left >= found.left_pid) continue;
-        found.left_pid = pid.left;
-        found.k_p = pid.x[0], found.k_v = -pid.x[1], found.k_i = pid.x[2];
+        const Regression own(terms, {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added},
+                             false, late);
+        const Regression pid(terms, {&terms.error, &terms.velocity, &terms.integral, &terms.rate, &terms.added}, true,
+                             late);
+        if (own.solved()) found.judged = true, found.left = std::min(found.left, own.left());
+        if (!pid.solved() || pid.left() >= found.left_pid) continue;
+        found.left_pid = pid.left();
+        found.k_p = pid.numbers()[0], found.k_v = -pid.numbers()[1], found.k_i = pid.numbers()[2];
     }
     return found;
 }
@@ -128,7 +165,9 @@ EffortDrive drive_by_effort(std::vector<Record>& records, const Joint& nominal, 
         drive.controllers.emplace_back();
         if (r.reference_position.empty()) continue;
         drive.controllers.back() = effort_of_controller(converted, joint);
-        if (drive.controllers.back().left < policy::made_by_controller) return {};
+        // where nothing can be said of it, the documented one stands
+        const auto& controller = drive.controllers.back();
+        if (!controller.judged || controller.left < policy::made_by_controller) return {};
     }
     std::erase_if(notes, [](const Note& n) { return n.code == Note::Code::no_command; });
     for (std::size_t i = 0; i < records.size(); ++i) {

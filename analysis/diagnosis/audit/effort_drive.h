@@ -14,6 +14,7 @@ Record with_effort_of_current(Record record, const Joint& joint);
 
 /// How well controllers make the measured effort out of the logged reference and motion, as parts of its squares.
 struct EffortOfController {
+    bool judged = false;       ///< enough rows are known not to be at a limit
     double as_documented = 1;  ///< left by the documented controller as it is
     double left = 1;      ///< by its structure: its own effort and its terms with free gains, up to a few rows late
     double left_pid = 1;  ///< by a PID and a constant

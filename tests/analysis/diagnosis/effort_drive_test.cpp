@@ -124,6 +124,11 @@ TEST_CASE("a controller that differs by its gains or behind a limit is still the
     {
         m.limit = 3;
     }
+    SECTION("a limit under a derivative that makes noise of its own")
+    {
+        m.limit = 3;
+        m.noise = 1e-4;
+    }
     std::vector<Record> records{without_command(m, 1, true)};
     std::vector<Note> notes;
     drive_by_effort(records, test::nominal_joint(), notes);

@@ -1,12 +1,11 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 
+#include "analysis/diagnosis/audit/effort_regression.h"
 #include "analysis/diagnosis/audit/prepare.h"
-#include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/ticks.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -18,20 +17,15 @@ bool no_command(const Record& r)
     return r.effort_command.empty() && r.drive.empty();
 }
 
-/// What a controller could have made its effort of, one row an entry.
-struct Terms {
-    std::vector<double> error, integral, velocity, rate, documented, added, effort;
-};
-
 double slope(const std::vector<double>& y, const std::vector<double>& time, std::size_t k)
 {
     const std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, y.size() - 1);
     return (y[b] - y[a]) / (time[b] - time[a]);
 }
 
-Terms terms_of(const Record& r, const Joint& joint)
+EffortTerms terms_of(const Record& r, const Joint& joint)
 {
-    Terms terms;
+    EffortTerms terms;
     const Ticks ticks = on_clock(r, joint);
     const Plant plant = flatten(joint);
     Innovation innovation;
@@ -54,73 +48,6 @@ Terms terms_of(const Record& r, const Joint& joint)
     return terms;
 }
 
-using Columns = std::vector<const std::vector<double>*>;
-
-/// Least squares of the effort on some columns, `late` rows before it.
-class Regression {
-  public:
-    Regression(const Terms& terms, Columns columns, bool constant, std::size_t late)
-        : terms_(terms), columns_(std::move(columns)), constant_(constant), late_(late)
-    {
-        // what a controller wants beyond its limit does not come out. The middle of the range is no limit; which of
-        // the other rows are none is told by what this fit wants in them, since a controller makes noise of its own
-        constexpr double inner = 0.5;  // numerical: of the range
-        const auto [least, largest] = std::minmax_element(terms.effort.begin(), terms.effort.end());
-        const double middle = 0.5 * (*least + *largest), half = 0.5 * (*largest - *least);
-        fit([&](std::size_t k) { return std::abs(terms_.effort[k] - middle) < inner * half; });
-        if (!solved()) return;
-        const Eigen::VectorXd first = x_;
-        std::vector<double> wanted(terms.effort.size()), missed(terms.effort.size());
-        for (std::size_t k = late_; k < wanted.size(); ++k) {
-            wanted[k] = at(k).dot(first);
-            missed[k] =
-                std::abs(terms_.effort[k] - middle) < inner * half ? terms_.effort[k] - wanted[k] : std::nan("");
-        }
-        const double below = policy::below_limit * (half - policy::scatter_at_limit * noise_of(missed));
-        if (below > inner * half) fit([&](std::size_t k) { return std::abs(wanted[k] - middle) < below; });
-    }
-
-    /// Whether enough rows are known to be no limit.
-    bool solved() const { return x_.size() > 0; }
-    /// Part of the squares of these rows.
-    double left() const { return left_; }
-    const Eigen::VectorXd& numbers() const { return x_; }
-
-  private:
-    Eigen::VectorXd at(std::size_t row) const
-    {
-        const auto count = static_cast<Eigen::Index>(columns_.size());
-        Eigen::VectorXd values = Eigen::VectorXd::Ones(count + (constant_ ? 1 : 0));
-        for (Eigen::Index i = 0; i < count; ++i) values[i] = (*columns_[static_cast<std::size_t>(i)])[row - late_];
-        return values;
-    }
-    template <class Takes>
-    void fit(Takes&& takes)
-    {
-        std::vector<std::size_t> rows;
-        for (std::size_t k = late_; k < terms_.effort.size(); ++k)
-            if (takes(k)) rows.push_back(k);
-        const auto n = static_cast<Eigen::Index>(rows.size());
-        const auto m = static_cast<Eigen::Index>(columns_.size()) + (constant_ ? 1 : 0);
-        if (n <= m) return;
-        Eigen::MatrixXd a(n, m);
-        Eigen::VectorXd b(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            a.row(i) = at(rows[static_cast<std::size_t>(i)]);
-            b[i] = terms_.effort[rows[static_cast<std::size_t>(i)]];
-        }
-        x_ = a.colPivHouseholderQr().solve(b);
-        left_ = b.squaredNorm() > 0 ? (b - a * x_).squaredNorm() / b.squaredNorm() : 0;
-    }
-
-    const Terms& terms_;
-    Columns columns_;
-    bool constant_;
-    std::size_t late_;
-    double left_ = 1;
-    Eigen::VectorXd x_;
-};
-
 }  // namespace
 
 Record with_effort_of_current(Record record, const Joint& joint)
@@ -133,7 +60,7 @@ Record with_effort_of_current(Record record, const Joint& joint)
 
 EffortOfController effort_of_controller(const Record& record, const Joint& joint)
 {
-    const Terms terms = terms_of(record, joint);
+    const EffortTerms terms = terms_of(record, joint);
     EffortOfController found;
     found.velocity_logged = !record.velocity.empty();
     double squares = 0, missed = 0;
@@ -143,10 +70,10 @@ EffortOfController effort_of_controller(const Record& record, const Joint& joint
     }
     if (squares > 0) found.as_documented = missed / squares;
     for (std::size_t late = 0; late <= policy::most_rows_late; ++late) {
-        const Regression own(terms, {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added},
-                             false, late);
-        const Regression pid(terms, {&terms.error, &terms.velocity, &terms.integral, &terms.rate, &terms.added}, true,
-                             late);
+        const EffortRegression own(terms, {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added},
+                                   false, late);
+        const EffortRegression pid(terms, {&terms.error, &terms.velocity, &terms.integral, &terms.rate, &terms.added},
+                                   true, late);
         if (own.solved()) found.judged = true, found.left = std::min(found.left, own.left());
         if (!pid.solved() || pid.left() >= found.left_pid) continue;
         found.left_pid = pid.left();

@@ -10,7 +10,8 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double slope_step = 1e-4;  // of what is usual, or of a logarithm
+// of what is usual, or of a logarithm; over a wide step the teeth of a jagged misfit hardly count
+constexpr double slope_step = 1e-4, wide_slope_step = 0.01;
 constexpr double least_usual = 0.1;  // in units of the parameter's scale
 constexpr int most_halvings = 10;
 /// Parameters with a prior hardly move: their slopes are found anew every few steps, and where a step fails.
@@ -94,7 +95,7 @@ class Descent {
             const auto number = static_cast<std::size_t>(i);
             if (!kept_.empty() && kept_[number]) continue;
             if (age_ > 0 && candidate_.sd_of(number) > 0) continue;
-            double step = slope_step;
+            double step = candidate_.is_rough(number) ? wide_slope_step : slope_step;
             if (!parameter(i).logarithmic) step *= std::max(least_usual, std::abs(parameter(i).prior));
             Eigen::VectorXd shifted = at_.x;
             shifted[i] += step;

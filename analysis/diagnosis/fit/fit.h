@@ -78,6 +78,15 @@ struct Candidate {
         }
         return forms.back()->parameters.back();
     }
+    /// Whether the misfit is jagged in this parameter.
+    bool is_rough(std::size_t i) const
+    {
+        for (const auto* f : forms) {
+            if (i < count_of(*f)) return f->rough;
+            i -= count_of(*f);
+        }
+        return false;
+    }
     bool applies(const Joint& nominal) const
     {
         for (const auto* f : forms)

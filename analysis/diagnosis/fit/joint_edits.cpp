@@ -85,37 +85,6 @@ Friction& main_friction(Joint& joint)
     return coulomb_force(f.link) > reduction * coulomb_force(f.motor) ? f.link : f.motor;
 }
 
-namespace {
-
-/// The law with all its forces times `part`.
-void scale_forces(Friction& friction, double part)
-{
-    std::visit(
-        [part](auto& law) {
-            if constexpr (requires { law.viscous; }) law.viscous *= part;
-            if constexpr (requires { law.c1; }) law.c1 *= part, law.c2 *= part;
-            if constexpr (requires {
-                              law.A;
-                              law.f0;
-                          }) {
-                law.A *= part;
-                for (double& b : law.B) b *= part;
-            }
-        },
-        friction.law);
-    shift_coulomb(friction, (part - 1) * coulomb_force(friction));
-    friction.asymmetry.coulomb *= part;
-    friction.asymmetry.viscous *= part;
-    friction.ripple.amplitude *= part, friction.ripple.second_amplitude *= part;
-    friction.drift.change *= part;
-    friction.bristle.stiffness *= part;
-    friction.bristle.damping *= part;
-    friction.memory.A *= part;
-    friction.memory.B *= part;
-}
-
-}  // namespace
-
 double stribeck_peak(const Friction& friction)
 {
     const auto* law = std::get_if<Stribeck>(&friction.law);
@@ -138,9 +107,14 @@ void divide_mass(Joint& joint, double motor_share, double stiffness, double damp
     m.transmission = {};
     m.transmission.stiffness = stiffness;
     m.transmission.damping = 2 * damping_ratio * std::sqrt(stiffness * reduced);
-    joint.frictions.motor = joint.frictions.link = joint.friction;
-    scale_forces(joint.frictions.motor, 1 - link_friction_share);
-    scale_forces(joint.frictions.link, link_friction_share);
+    // bearings resist on either side; whatever else friction does stays with the drive and its gear
+    const double level = link_friction_share * coulomb_force(joint.friction);
+    const double slope = link_friction_share * viscous_slope(joint.friction);
+    joint.frictions.motor = joint.friction;
+    shift_coulomb(joint.frictions.motor, -level);
+    shift_viscous(joint.frictions.motor, -slope);
+    joint.frictions.link = {};
+    joint.frictions.link.law = CoulombViscous{level, slope};
 }
 
 void add_wave(double& amplitude, double& phase, double sine, double cosine)

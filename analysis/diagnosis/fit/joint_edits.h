@@ -18,8 +18,8 @@ void set_stribeck(Friction& friction, double c2, double c3, double c4);
 double stribeck_peak(const Friction& friction);
 /// Changes it; a law without a peak stays as it is.
 void set_stribeck_peak(Friction& friction, double c2);
-/// Divides a single mass into motor and link with a spring; its friction is shared out likewise, the load acts on the
-/// link.
+/// Divides a single mass into motor and link with a spring. This share of its Coulomb level and viscous slope goes to
+/// the link, all other terms of its friction stay with the motor; the load acts on the link.
 void divide_mass(Joint& joint, double motor_share, double stiffness, double damping_ratio, double link_friction_share);
 /// Adds sine·sin(x) + cosine·cos(x) to amplitude·sin(x + phase).
 void add_wave(double& amplitude, double& phase, double sine, double cosine);

@@ -78,7 +78,7 @@ std::vector<Start> Climber::divided_anew(const FittedSet& below) const
     for (const auto& single : singles_) {
         const Effect* effect = single.candidate.effects[0];
         const Candidate plain{{effect}, {&effect->forms[0]}, single.candidate.records};
-        if (plain.forms[0]->apart < 0 || !two_mass_edit(plain) || !plain.applies(fitter_.joint())) continue;
+        if (!two_mass_edit(plain) || !plain.applies(fitter_.joint())) continue;
         looks.push_back({below.causes, effect, plain.forms[0]});
         looks.back().causes.records = plain.records;
     }

@@ -71,6 +71,8 @@ class Climber {
 
     /// The set without one of its causes.
     FittedSet without(const FittedSet& set, std::size_t member) const;
+    /// The set anew from the numbers that the others have in `less`, which lacks this member.
+    FittedSet with(const FittedSet& less, const FittedSet& set, std::size_t member) const;
 
     /// Of the causes of a set the one without which least is lost goes last, and so on down. Without a cause its number
     /// is as documented: where its correction came back and took most of the cause's place, the gap would not be the

@@ -27,6 +27,17 @@ FittedSet Climber::without(const FittedSet& set, std::size_t member) const
     return fitter_.fit_rest(less.causes, less.fit.x);
 }
 
+FittedSet Climber::with(const FittedSet& less, const FittedSet& set, std::size_t member) const
+{
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
+    const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[member]));
+    Candidate causes = less.causes;
+    const auto x = insert(causes, set.causes.effects[member], set.causes.forms[member], less.of_causes(less.fit.x),
+                          set.of_causes(set.fit.x).segment(at, count));
+    return fitter_.fit(causes, fitter_.start(causes, less, x));
+}
+
 bool Climber::worth_an_exchange(const FittedSet& set, const FittedSet& below, const Effect& other) const
 {
     if (std::ranges::count(set.causes.effects, &other) > 0) return false;

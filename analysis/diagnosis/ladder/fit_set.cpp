@@ -16,8 +16,8 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double omega = levels[ladder_level];
-constexpr int first_steps = 3, steps = 6, steps_of_fold = 3;      // of descents
-constexpr int first_effort = 6, effort = 15, effort_of_fold = 4;  // evaluations a parameter of searches
+constexpr int first_steps = 3, steps = 6, steps_of_fold = 3;  // of descents
+constexpr int first_effort = 6, effort = 15;  // evaluations a parameter of searches for what the misfit is jagged in
 
 }  // namespace
 
@@ -109,23 +109,29 @@ void SetFitter::look(Start& s, const FittedSet& below) const
         if (!first && looks[i].objective < looks[at->second].objective) at->second = i;
     }
     for (const auto& [value, i] : nearest) {
-        auto found = improve({part, model.candidate, scales_, omega}, begun[i], first_effort, first_steps);
+        // beside a jagged cause that is found already a descent does: a search for it anew costs five times as much
+        const FitProblem problem{part, model.candidate, scales_, omega};
+        auto found = s.form->rough ? improve(problem, begun[i], first_effort, first_steps)
+                                   : descend(problem, begun[i], first_steps);
         if (s.x0.size() > 0 && !(found.evaluation.objective < s.objective)) continue;
         s.x0 = std::move(found.x);
         s.objective = found.evaluation.objective;
     }
 }
 
-LevelFit SetFitter::improved(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
-                             int effort, int steps, Waves waves) const
+LevelFit SetFitter::near(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
+                         int steps, Waves waves) const
 {
-    const FitProblem problem{cases, candidate, scales_, omega};
-    // what is jagged is searched, not descended, and near its start
-    if (waves == Waves::move || jagged(candidate)) return improve(problem, x, effort, steps);
     Kept kept;
-    for (std::size_t i = 0; i < candidate.parameter_count(); ++i)
+    for (std::size_t i = 0; i < candidate.parameter_count() && waves == Waves::stay; ++i)
         kept.push_back(candidate.parameter(i).grid != FrequencyGrid::none);
-    return descend(problem, x, steps, kept);
+    return descend({cases, candidate, scales_, omega}, x, steps, kept);
+}
+
+LevelFit SetFitter::rest(const Candidate& candidate, const Eigen::VectorXd& x) const
+{
+    if (jagged(candidate)) return improve({data_.fitted(), candidate, scales_, omega}, x, effort, steps);
+    return near(data_.fitted(), candidate, x, steps, Waves::stay);
 }
 
 LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) const
@@ -146,7 +152,7 @@ FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
 FittedSet SetFitter::fit_rest(const Candidate& causes, const Eigen::VectorXd& x0) const
 {
     Corrected model = corrections_.beside(causes);
-    auto found = improved(data_.fitted(), model.candidate, x0, effort, steps, Waves::stay);
+    auto found = rest(model.candidate, x0);
     return fit_folds(std::move(model), causes, std::move(found), Waves::stay);
 }
 
@@ -154,7 +160,7 @@ FittedSet SetFitter::fit_without(const FittedSet& set, std::size_t correction) c
 {
     Corrected model = Corrections::but(set.model, correction);
     const auto x0 = Corrections::start(model, set.model, set.fit.x, set.of_causes(set.fit.x));
-    auto found = improved(data_.fitted(), model.candidate, x0, effort, steps, Waves::stay);
+    auto found = rest(model.candidate, x0);
     return fit_folds(std::move(model), set.causes, std::move(found), Waves::stay);
 }
 
@@ -175,7 +181,7 @@ FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFi
     set.fit = std::move(found);
     const Candidate& c = set.model.candidate;
     for (std::size_t f = 0; f < HeldOutData::folds; ++f)
-        set.x[f] = improved(data_.without(f), c, set.fit.x, effort_of_fold, steps_of_fold, waves).x;
+        set.x[f] = near(data_.without(f), c, set.fit.x, steps_of_fold, waves).x;
     judge(set);
     set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
     set.correction = corrections_.one_of(causes, set.of_causes(set.fit.x));

@@ -51,8 +51,11 @@ class SetFitter {
 
   private:
     enum class Waves { move, stay };
-    LevelFit improved(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x, int effort,
-                      int steps, Waves waves) const;
+    /// A descent from where the numbers already are.
+    LevelFit near(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x, int steps,
+                  Waves waves) const;
+    /// As well as the set that it is compared with: what is jagged is searched there, too.
+    LevelFit rest(const Candidate& candidate, const Eigen::VectorXd& x) const;
     FittedSet fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const;
     const HeldOutData& data_;
     const Scales& scales_;

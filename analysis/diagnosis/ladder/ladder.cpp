@@ -140,6 +140,9 @@ FittedSet LadderSearch::without_idle(FittedSet set) const
 {
     for (std::size_t i = 0; i < set.causes.effects.size() && set.causes.effects.size() > 1;) {
         FittedSet less = climber_->without(set, i);
+        // each search leads further down a jagged misfit: from where the others went without it, so can all of them
+        if (jagged(set.causes) && !earns(less, set, rules_))
+            if (auto again = climber_->with(less, set, i); again.misfit < set.misfit) set = std::move(again);
         if (earns(less, set, rules_))
             ++i;
         else

@@ -39,6 +39,8 @@ inline constexpr std::array physical_ranges{
     PhysicalRange{"frictional-memory", "B", 0, 0.25, Per::coulomb, "as A: they differ by less than either"},
     PhysicalRange{"frictional-memory", "L", 1, 1e9, Per::reading,
                   "a slip below the encoder resolution is invisible: such an effect depends on the time at rest"},
+    PhysicalRange{"backlash", "width", 1, 1e9, Per::reading,
+                  "a play below the encoder resolution is invisible: what wants it is a spring"},
     PhysicalRange{"periodic-disturbance", "frequency", 2, 1e9, Per::period_of_record,
                   "less than two periods are a drift, not a period"},
     PhysicalRange{"cogging", "periods", 1, 1e9, Per::period_of_travel,

@@ -43,30 +43,27 @@ LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort
     const Candidate& candidate = problem.candidate;
     if (!jagged(candidate)) return descend(problem, x, descents);
     Kept smooth, rough;  // which parameters the misfit is jagged in, and which not
-    for (const auto* f : candidate.forms) {
-        smooth.resize(smooth.size() + candidate.count_of(*f), !f->rough);
-        rough.resize(smooth.size(), f->rough);
+    for (std::size_t i = 0; i < candidate.parameter_count(); ++i) {
+        rough.push_back(candidate.is_rough(i));
+        smooth.push_back(!rough.back());
     }
     const auto searched = static_cast<int>(std::count(rough.begin(), rough.end(), 1));
-    constexpr double first_step = 0.3;
-    if (searched == static_cast<int>(rough.size())) return search_rough(problem, x, effort * searched, first_step);
-    // in turn: a simplex over all of them would get lost
+    constexpr double first_step = 0.3, near = 0.1 * first_step;
     constexpr int turns = 2;
+    const int part = effort * searched / turns;
     LevelFit fit;
     fit.x = x;
     int evaluations = 0;
-    for (int turn = 0; turn < turns; ++turn) {
-        fit = descend(problem, fit.x, std::max(2, descents / 3), rough);
-        evaluations += fit.evaluations;
-        fit =
-            search_rough(problem, fit.x, effort * searched / turns, turn == 0 ? first_step : 0.1 * first_step, smooth);
-        evaluations += fit.evaluations;
-    }
-    constexpr Eigen::Index few = 3;
-    if (fit.x.size() <= few) {  // backlash and inertia make up for each other: in turn they creep along a narrow valley
-        fit = search_rough(problem, fit.x, effort * static_cast<int>(fit.x.size()), 0.1 * first_step);
-        evaluations += fit.evaluations;
-    }
+    const auto go_on = [&](LevelFit next) {
+        evaluations += next.evaluations;
+        fit = std::move(next);
+    };
+    // a simplex over all of them would get lost, and a descent in the teeth: together they lead along narrow valleys
+    go_on(descend(problem, fit.x, std::max(2, descents / 3), rough));
+    go_on(search_rough(problem, fit.x, part, first_step, smooth));
+    go_on(descend(problem, fit.x, descents));
+    go_on(search_rough(problem, fit.x, part, near, smooth));
+    go_on(descend(problem, fit.x, descents));
     fit.evaluations = evaluations;
     return fit;
 }

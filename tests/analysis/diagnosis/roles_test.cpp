@@ -1,5 +1,6 @@
 // What the fields of an effect say it does, against what its edit does to a joint.
 #include "analysis/diagnosis/fit/effect.h"
+#include "analysis/diagnosis/fit/joint_edits.h"
 #include "analysis/joint/parameters.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
@@ -124,4 +125,31 @@ TEST_CASE("forms of a number of their own leave alone what the effect's first fo
             ++own;
         }
     CHECK(own >= 4);
+}
+
+TEST_CASE("a divided mass shares out level and slope of its friction, the rest stays with the drive", "[gap]")
+{
+    Joint j = test::nominal_joint();
+    Stribeck law;
+    law.c0 = 2, law.c1 = 1.5, law.c2 = 0.5, law.c3 = 0.01, law.c4 = 2;
+    j.friction.law = law;
+    j.friction.asymmetry = {0.3, 0.2};
+    j.friction.ripple.amplitude = 0.1;
+    const double inertia = j.mechanism.inertia;
+    divide_mass(j, 0.25, 1e4, 0.1, 0.4);
+    CHECK(j.mechanism.motor_inertia == Approx(0.25 * inertia));
+    CHECK(j.mechanism.motor_inertia + j.mechanism.link_inertia == Approx(inertia));
+    const auto motor = std::get<Stribeck>(j.frictions.motor.law);
+    const auto link = std::get<CoulombViscous>(j.frictions.link.law);
+    CHECK(link.coulomb == Approx(0.4 * 2));
+    CHECK(link.viscous == Approx(0.4 * 1.5));
+    CHECK(motor.c0 + link.coulomb == Approx(2));
+    CHECK(motor.c1 + link.viscous == Approx(1.5));
+    CHECK(motor.c2 == 0.5);
+    // a level that differs by direction would press a link of its own against one flank of its play
+    CHECK(j.frictions.motor.asymmetry.coulomb == 0.3);
+    CHECK(j.frictions.motor.asymmetry.viscous == 0.2);
+    CHECK(j.frictions.motor.ripple.amplitude == 0.1);
+    CHECK(j.frictions.link.asymmetry.coulomb == 0);
+    CHECK(j.frictions.link.ripple.amplitude == 0);
 }

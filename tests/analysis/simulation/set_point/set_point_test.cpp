@@ -307,3 +307,31 @@ TEST_CASE("a slip of which only the creep into the set point is left ends there,
     CHECK(answer.hunting == Hunting::no);
     CHECK(answer.reason == SetPointReason::slips_shrink);
 }
+
+TEST_CASE("a limit that is out of reach changes nothing about how a slip ends", "[set-point]")
+{
+    // a ball-screw stage: the integral takes half a minute for what the damper takes milliseconds
+    Joint joint;
+    joint.mechanism.inertia = 38;
+    auto& c = joint.control;
+    c.V0 = 0, c.k_p = 5.2e6, c.k_v = 1.9e4, c.k_i = 1e5;
+    joint.friction.law = Stribeck{34, 420, 11, 1.4e-3, 2};
+    const auto free = set_point(joint);
+    REQUIRE(free.hunting == Hunting::no);
+    const StopToStop unlimited(regulator_of(joint), joint.friction);
+    const auto limited = [&](auto&& limit) {
+        Joint changed = joint;
+        limit(changed.control);
+        const StopToStop motion(regulator_of(changed), changed.friction);
+        for (const double a : {1e-4, 1e-7, 1e-9, 1e-11}) {
+            CAPTURE(a);
+            const auto same = unlimited.slip_from(a), stop = motion.slip_from(a);
+            CHECK(stop.end == Stop::End::settled);
+            CHECK(stop.end == same.end);
+        }
+        CHECK(set_point(changed).hunting == free.hunting);
+    };
+    limited([](Control& k) { k.effort_limit = 900; });
+    limited([](Control& k) { k.integral_limit = 600; });
+    limited([](Control& k) { k.integral_band = 0.01; });
+}

@@ -68,7 +68,8 @@ Events events_of(const RegulatorFlow& flow)
         values[dead_zone_left] = left ? y[0] + zone : 1;
         values[dead_zone_right] = zone > 0 ? y[0] - zone : 1;
         values[push_whole] = whole ? std::abs(y[0]) - zone - push.coulomb_width : 1;
-        values[at_limit] = limit < infinity ? std::abs(asked) - limit : 1;
+        const double share = flow.along_limit ? flow.share_along_limit(y) : 0;
+        values[at_limit] = limit == infinity ? 1 : flow.along_limit ? share * (1 - share) : std::abs(asked) - limit;
     };
     return events;
 }
@@ -85,6 +86,20 @@ double side_beyond(const Regulator& r, const FlowVector& y)
 {
     if (r.dead_zone == 0) return y[1] > 0 ? -1 : 1;
     return y[0] * y[1] < 0 ? 0 : y[0] > 0 ? -1 : 1;
+}
+
+/// Goes on from where the command reached its limit, or left it: along it, or on the side to which it moves. It is put
+/// there by a hair: what rounding leaves of it on the other side would be reached again and again.
+void pass_limit(RegulatorFlow& flow, FlowVector& y, int direction)
+{
+    constexpr double hair = 1e-10;  // of the limit
+    const double share = flow.share_along_limit(y), limit = flow.regulator().effort_limit;
+    double asked = 0;
+    flow.effort(y, &asked);
+    flow.along_limit = !flow.along_limit && share > 0 && share < 1;
+    const bool beyond = is_set(share) ? share <= 0 : direction > 0;
+    const double place = flow.along_limit ? 1 : beyond ? 1 + hair : 1 - hair;
+    y[2] += std::copysign(place * limit, asked) - asked;
 }
 
 double acceleration(const RegulatorFlow& flow, const FlowVector& y)
@@ -133,7 +148,7 @@ bool creeps_home(const RegulatorFlow& flow, const FlowVector& y, double directio
     constexpr double over = 3;    // of the slow mode's speed to that of the others
     constexpr double bent = 0.3;  // of the damping, what the friction's curve may add or take
     const auto& r = flow.regulator();
-    if (!(r.k_i > 0) || r.dead_zone > 0 || r.push.fed_back() || y.size() != 3) return false;
+    if (!(r.k_i > 0) || r.dead_zone > 0 || r.push.fed_back() || flow.along_limit || y.size() != 3) return false;
     FlowVector rate;
     FlowMatrix J;
     flow.rate(y, rate);
@@ -241,6 +256,11 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
                             creeps_home(flow, y, flow.branch == Branch::forward ? 1 : -1);
         if (still || creeps || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
         if (report.end != StepEnd::event) continue;
+        if (report.event == at_limit) {
+            pass_limit(flow, y, report.direction);
+            solver->start(flow, now, y, events);
+            continue;
+        }
         if (report.event != rests) {
             if (!regulator_.push.jumps() || report.event > dead_zone_right) continue;
             flow.side = side_beyond(regulator_, y);
@@ -258,6 +278,10 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
         }
         if (++stop.turns > work::slips_to_stop) return stop.end = Stop::End::runaway, stop;
         flow.branch = push > 0 ? Branch::forward : Branch::reverse;
+        if (flow.along_limit) {
+            flow.along_limit = false;
+            pass_limit(flow, y, -1);
+        }
         solver->start(flow, now, y, events);
     }
     return stop;

@@ -74,11 +74,17 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
     none.searched_from = least + low, none.searched_to = least + high;
     none.starts = n + 1;
     double largest = -infinity;
-    double outer = least + high, f_outer = growth(motion.slip_from(outer), outer);
+    bool all_followed = true;
+    const auto grown = [&](double a) {
+        const auto stop = motion.slip_from(a);
+        all_followed = all_followed && stop.end != Stop::End::failure;
+        return growth(stop, a);
+    };
+    double outer = least + high, f_outer = grown(outer);
     if (f_outer > 0) return none.reason = SetPointReason::loop_unstable, none;
     for (int i = n - 1; i >= 0; --i) {
         const double a = least + low * std::pow(high / low, static_cast<double>(i) / n);
-        const double f = growth(motion.slip_from(a), a);
+        const double f = grown(a);
         largest = std::max({largest, f, f_outer});
         if (f > 0 && f_outer <= 0) {
             const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
@@ -97,6 +103,8 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
         }
         outer = a, f_outer = f;
     }
+    // a slip of unknown end may be one of a cycle
+    if (!all_followed) none.hunting = Hunting::undecided, none.reason = SetPointReason::not_converged;
     none.largest_ratio = std::exp(largest);
     return none;
 }

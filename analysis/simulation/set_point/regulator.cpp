@@ -64,7 +64,7 @@ RegulatorFlow::Linearised RegulatorFlow::output(const FlowVector& y, double* com
     const auto added = pushed(y);
     const double u = r.k_p * r.error(y[0]) - r.k_v * y[1] + y[2] + added.value;
     if (command) *command = u;
-    if (std::abs(u) > r.effort_limit) return {std::copysign(r.effort_limit, u), 0, 0, 0};
+    if (along_limit || std::abs(u) > r.effort_limit) return {std::copysign(r.effort_limit, u), 0, 0, 0};
     return {u, (dead ? 0 : -r.k_p) + added.by_x, -r.k_v + added.by_v, 1};
 }
 
@@ -94,6 +94,7 @@ RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
     if (std::abs(y[0]) > r.integral_band) rate = {};
     double command = 0;
     const auto given = output(y, &command);
+    if (along_limit) return along(y, given.value);
     const double excess = command - given.value;
     const bool waits =
         r.anti_windup == AntiWindup::clamp || (r.anti_windup == AntiWindup::conditional && e * command > 0);
@@ -107,6 +108,28 @@ RegulatorFlow::Linearised RegulatorFlow::winding(const FlowVector& y) const
     }
     if (std::abs(y[2]) >= r.integral_limit && rate.value * y[2] > 0) return {};
     return rate;
+}
+
+/// The ẇ that leaves k_p e − k_v v + w as it is, the effort being at its limit.
+RegulatorFlow::Linearised RegulatorFlow::along(const FlowVector& y, double limit) const
+{
+    const auto& r = regulator_;
+    const auto f = response(y);
+    const double k_p = std::abs(y[0]) <= r.dead_zone ? 0 : r.k_p;
+    const double acceleration = (limit + force_ - r.drag * y[1] - f.force) / r.inertia;
+    return {k_p * y[1] + r.k_v * acceleration, 0, k_p - r.k_v * (r.drag + f.by_velocity) / r.inertia, 0};
+}
+
+double RegulatorFlow::share_along_limit(const FlowVector& y) const
+{
+    const auto& r = regulator_;
+    double command = 0;
+    output(y, &command);
+    const double limit = std::copysign(r.effort_limit, command), e = r.error(y[0]);
+    const bool waits = r.anti_windup == AntiWindup::clamp || r.anti_windup == AntiWindup::conditional;
+    if (!waits || r.push.fed_back() || states_ > 0 || !(e * limit > 0) || std::abs(y[0]) > r.integral_band)
+        return missing;
+    return along(y, limit).value / (r.k_i * e);
 }
 
 FrictionResponse RegulatorFlow::response(const FlowVector& y) const

@@ -54,6 +54,7 @@ class RegulatorFlow final : public Flow {
 
     Branch branch = Branch::forward;  ///< of a friction that is set-valued at rest
     double side = 1;                  ///< of the error, where a push jumps with it: 1, 0 in the dead zone, −1
+    bool along_limit = false;         ///< an integral that waits at the effort limit keeps the command on it
 
     int size() const override { return 3 + states_; }
     FlowVector steady() const override { return FlowVector::Zero(size()); }
@@ -73,6 +74,11 @@ class RegulatorFlow final : public Flow {
 
     /// What the controller gives at y.
     double effort(const FlowVector& y, double* asked = nullptr) const { return output(y, asked).value; }
+    /// Of an integral that waits at the effort limit: the share of its time that it would have to wind up to keep the
+    /// command there. Within (0, 1) it does: winding up crosses the limit and waiting falls back from it, a sliding
+    /// mode in the sense of A. Filippov, Differential Equations with Discontinuous Righthand Sides, 1988. NaN where it
+    /// never waits.
+    double share_along_limit(const FlowVector& y) const;
     const Regulator& regulator() const { return regulator_; }
     const Friction& friction() const { return friction_; }
     double speed() const { return speed_; }
@@ -85,6 +91,7 @@ class RegulatorFlow final : public Flow {
     Linearised output(const FlowVector& y, double* asked = nullptr) const;
     Linearised pushed(const FlowVector& y) const;
     Linearised winding(const FlowVector& y) const;
+    Linearised along(const FlowVector& y, double limit) const;
     FrictionResponse response(const FlowVector& y) const;
 
     Regulator regulator_;

@@ -68,7 +68,8 @@ Events events_of(const RegulatorFlow& flow)
         values[dead_zone_left] = left ? y[0] + zone : 1;
         values[dead_zone_right] = zone > 0 ? y[0] - zone : 1;
         values[push_whole] = whole ? std::abs(y[0]) - zone - push.coulomb_width : 1;
-        values[at_limit] = limit < infinity ? std::abs(asked) - limit : 1;
+        const double share = flow.along_limit ? flow.share_along_limit(y) : 0;
+        values[at_limit] = limit == infinity ? 1 : flow.along_limit ? share * (1 - share) : std::abs(asked) - limit;
     };
     return events;
 }
@@ -85,6 +86,20 @@ double side_beyond(const Regulator& r, const FlowVector& y)
 {
     if (r.dead_zone == 0) return y[1] > 0 ? -1 : 1;
     return y[0] * y[1] < 0 ? 0 : y[0] > 0 ? -1 : 1;
+}
+
+/// Goes on from where the command reached its limit, or left it: along it, or on the side to which it moves. It is put
+/// there by a hair: what rounding leaves of it on the other side would be reached again and again.
+void pass_limit(RegulatorFlow& flow, FlowVector& y, int direction)
+{
+    constexpr double hair = 1e-10;  // of the limit
+    const double share = flow.share_along_limit(y), limit = flow.regulator().effort_limit;
+    double asked = 0;
+    flow.effort(y, &asked);
+    flow.along_limit = !flow.along_limit && share > 0 && share < 1;
+    const bool beyond = is_set(share) ? share <= 0 : direction > 0;
+    const double place = flow.along_limit ? 1 : beyond ? 1 + hair : 1 - hair;
+    y[2] += std::copysign(place * limit, asked) - asked;
 }
 
 double acceleration(const RegulatorFlow& flow, const FlowVector& y)
@@ -112,6 +127,20 @@ std::optional<std::pair<FlowVector, double>> touched_rest(const RegulatorFlow& f
     return std::pair(solver.at(first), first);
 }
 
+/// Whether the loop's limits stay out of reach of a motion that ends at rest in the set point under `end`, and of which
+/// `parts` are left, a column a mode.
+bool within_limits(const RegulatorFlow& flow, const FlowVector& y, const Eigen::Matrix3cd& parts, double end)
+{
+    const auto& r = flow.regulator();
+    double asked = 0;
+    flow.effort(y, &asked);
+    const Eigen::RowVector3cd gains(-r.k_p, -r.k_v, 1);
+    const double effort = std::abs(end) + (gains * parts).cwiseAbs().sum();
+    const Eigen::Vector3d reach = parts.cwiseAbs().rowwise().sum();
+    return std::max(std::abs(asked), effort) < r.effort_limit && std::abs(end) + reach[2] < r.integral_limit &&
+           std::abs(y[2]) < r.integral_limit && reach[0] < r.integral_band;
+}
+
 /// Whether nothing but a slow real mode is left of a slip, along `direction`: its speed never vanishes again, and the
 /// mass creeps into the set point. Near it rounding of the forces would cost ever more steps to see that.
 bool creeps_home(const RegulatorFlow& flow, const FlowVector& y, double direction)
@@ -119,7 +148,7 @@ bool creeps_home(const RegulatorFlow& flow, const FlowVector& y, double directio
     constexpr double over = 3;    // of the slow mode's speed to that of the others
     constexpr double bent = 0.3;  // of the damping, what the friction's curve may add or take
     const auto& r = flow.regulator();
-    if (!(r.k_i > 0) || !r.linear() || y.size() != 3) return false;
+    if (!(r.k_i > 0) || r.dead_zone > 0 || r.push.fed_back() || flow.along_limit || y.size() != 3) return false;
     FlowVector rate;
     FlowMatrix J;
     flow.rate(y, rate);
@@ -130,22 +159,18 @@ bool creeps_home(const RegulatorFlow& flow, const FlowVector& y, double directio
     for (Eigen::Index i = 1; i < 3; ++i)
         if (s[i].real() > s[slow].real()) slow = i;
     if (s[slow].imag() != 0 || !(s[slow].real() < 0)) return false;
-    // ẏ = Σ s_i c_i v_i, so that mode i has the velocity c_i v_i,1
+    // ẏ = Σ s_i c_i v_i, so that mode i has the part c_i v_i in y
     const Eigen::Vector3cd share = modes.eigenvectors().partialPivLu().solve(rate.cast<std::complex<double>>());
-    double creep = 0, others = 0;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const auto speed = share[i] / s[i] * modes.eigenvectors()(1, i);
-        if (i == slow)
-            creep = direction * speed.real();
-        else
-            others += std::abs(speed);
-    }
-    if (!(creep > over * others)) return false;
+    const Eigen::Matrix3cd parts = modes.eigenvectors() * share.cwiseQuotient(s).asDiagonal();
+    const double creep = direction * parts(1, slow).real();
+    const double others = parts.row(1).cwiseAbs().sum() - std::abs(parts(1, slow));
+    const double held = static_force(flow.friction());
+    if (!(creep > over * others) || !within_limits(flow, y, parts, direction * held)) return false;
     const double most = creep + others, damping = -J(1, 1) * r.inertia;
     const auto resisted = [&](double V) { return direction * respond(flow.friction(), direction * V, {}).force; };
     const double slope = damping - r.k_v - r.drag;
-    const double curve = std::abs(resisted(most) - static_force(flow.friction()) - slope * most);
-    return curve < bent * damping * most + rounding_of_force * static_force(flow.friction());
+    const double curve = std::abs(resisted(most) - held - slope * most);
+    return curve < bent * damping * most + rounding_of_force * held;
 }
 
 }  // namespace
@@ -231,6 +256,11 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
                             creeps_home(flow, y, flow.branch == Branch::forward ? 1 : -1);
         if (still || creeps || report.end == StepEnd::time) return stop.end = Stop::End::settled, stop;
         if (report.end != StepEnd::event) continue;
+        if (report.event == at_limit) {
+            pass_limit(flow, y, report.direction);
+            solver->start(flow, now, y, events);
+            continue;
+        }
         if (report.event != rests) {
             if (!regulator_.push.jumps() || report.event > dead_zone_right) continue;
             flow.side = side_beyond(regulator_, y);
@@ -248,6 +278,10 @@ Stop StopToStop::follow(double a, double w, bool to_first_rest) const
         }
         if (++stop.turns > work::slips_to_stop) return stop.end = Stop::End::runaway, stop;
         flow.branch = push > 0 ? Branch::forward : Branch::reverse;
+        if (flow.along_limit) {
+            flow.along_limit = false;
+            pass_limit(flow, y, -1);
+        }
         solver->start(flow, now, y, events);
     }
     return stop;

@@ -39,6 +39,15 @@ double number_from(const Joint& joint, const std::string& path, const std::strin
     return *find_parameter(changed, path);
 }
 
+/// Of a number that has no decades about it; a negative one shows the range that its amount would have had.
+BadInput without_range(const std::string& option, const std::string& path, double value)
+{
+    const std::string range = value < 0 ? fmt::format("{}..{}", reach * value, value / reach) : "FROM..TO";
+    return BadInput(
+        fmt::format("{} {}: is {} in the joint and no axis of the spec, so its range has to be given: {} {}={}", option,
+                    path, is_set(value) ? fmt::format("{}", value) : "not set", option, path, range));
+}
+
 }  // namespace
 
 Asked read_spec_or_joint(const std::filesystem::path& file, const std::vector<std::string>& settings)
@@ -71,11 +80,7 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
                 return axis;
             }
         const double value = *leaf.value;
-        if (!(value > 0))
-            throw BadInput(
-                fmt::format("{} {}: is {} in the joint and no axis of the spec, so its range has to be "
-                            "given: {} {}=FROM..TO",
-                            option, path, value, option, path));
+        if (!(value > 0)) throw without_range(option, path, value);
         axis.log = true;
         axis.values = {value / reach, value * reach};
         return axis;

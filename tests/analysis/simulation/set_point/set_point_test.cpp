@@ -307,3 +307,68 @@ TEST_CASE("a slip of which only the creep into the set point is left ends there,
     CHECK(answer.hunting == Hunting::no);
     CHECK(answer.reason == SetPointReason::slips_shrink);
 }
+
+TEST_CASE("a limit that is out of reach changes nothing about how a slip ends", "[set-point]")
+{
+    // a ball-screw stage: the integral takes half a minute for what the damper takes milliseconds
+    Joint joint;
+    joint.mechanism.inertia = 38;
+    auto& c = joint.control;
+    c.V0 = 0, c.k_p = 5.2e6, c.k_v = 1.9e4, c.k_i = 1e5;
+    joint.friction.law = Stribeck{34, 420, 11, 1.4e-3, 2};
+    const auto free = set_point(joint);
+    REQUIRE(free.hunting == Hunting::no);
+    const StopToStop unlimited(regulator_of(joint), joint.friction);
+    const auto limited = [&](auto&& limit) {
+        Joint changed = joint;
+        limit(changed.control);
+        const StopToStop motion(regulator_of(changed), changed.friction);
+        for (const double a : {1e-4, 1e-7, 1e-9, 1e-11}) {
+            CAPTURE(a);
+            const auto same = unlimited.slip_from(a), stop = motion.slip_from(a);
+            CHECK(stop.end == Stop::End::settled);
+            CHECK(stop.end == same.end);
+        }
+        CHECK(set_point(changed).hunting == free.hunting);
+    };
+    limited([](Control& k) { k.effort_limit = 900; });
+    limited([](Control& k) { k.integral_limit = 600; });
+    limited([](Control& k) { k.integral_band = 0.01; });
+}
+
+TEST_CASE("an integral that waits at the effort limit keeps the command on it", "[set-point]")
+{
+    // against equal steps of Euler, in which it winds up in one step and waits in the next
+    Joint joint;
+    joint.mechanism.inertia = 0.05;
+    auto& c = joint.control;
+    c.V0 = 0, c.k_p = 22, c.k_v = 0.5, c.k_i = 240, c.effort_limit = 9;
+    const double coulomb = 0.8, viscous = 0.12;
+    joint.friction.law = Stribeck{coulomb, viscous, 0.4, 0.05, 2};
+    const auto by_euler = [&](double a) {
+        const double h = 5e-7, breakaway = coulomb + 0.4;
+        double x = -a, v = 0, w = breakaway - c.k_p * a, t = 0, way = 1;
+        for (;;) {
+            const double asked = -c.k_p * x - c.k_v * v + w, u = std::clamp(asked, -9.0, 9.0);
+            const bool waits = u != asked && (c.anti_windup == AntiWindup::clamp || -x * asked > 0);
+            const double friction = way * (coulomb + 0.4 * std::exp(-v * v / (0.05 * 0.05))) + viscous * v;
+            w += waits ? 0 : -h * c.k_i * x;
+            v += h * (u - friction) / joint.mechanism.inertia;
+            x += h * v, t += h;
+            if (way * v > 0 || t < 2 * h) continue;
+            if (std::abs(u) <= breakaway) return std::pair(x, t);
+            v = 0, way = std::copysign(1.0, u);
+        }
+    };
+    for (const auto kind : {AntiWindup::clamp, AntiWindup::conditional}) {
+        c.anti_windup = kind;
+        for (const double a : {0.3, 1.78, 10.0}) {
+            CAPTURE(a);
+            const auto [x, t] = by_euler(a);
+            const auto stop = StopToStop(regulator_of(joint), joint.friction).slip_from(a);
+            REQUIRE(stop.end == Stop::End::stop);
+            CHECK(stop.x == Approx(x).epsilon(1e-3));
+            CHECK(stop.slip_time == Approx(t).epsilon(1e-4));
+        }
+    }
+}

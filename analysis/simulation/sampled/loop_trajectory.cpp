@@ -81,7 +81,8 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
     options.motion.rtol = question.rtol;
     options.seed = joint.sensor.position_noise > 0 || joint.sensor.effort_noise > 0 ? question.seed : 0;
     SampledLoop loop(joint, frame, frame, LoopSide::joint, options);
-    if (!loop.begin_steadily()) return refuse(Reason::limit_too_low);
+    if (!loop.begin_steadily())
+        return loop.within_limits() ? refuse(Reason::no_steady_state, Detail::chatters) : refuse(Reason::limit_too_low);
     const double origin = loop.motion.y[loop.motion.joint.link()];
     path.steady_friction = loop.motion.joint.link_friction(loop.motion.y.data());
     Disturbance disturbance = question.disturbance;

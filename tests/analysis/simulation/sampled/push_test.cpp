@@ -162,6 +162,9 @@ TEST_CASE("a push that jumps by more than sliding takes leaves no steady sliding
     const auto chatters = loop_verdict(joint, {});
     CHECK(chatters.reason == Reason::no_steady_state);
     CHECK(chatters.detail == Detail::chatters);
+    const Trajectory path = loop_trajectory(joint, {});
+    CHECK(path.reason == Reason::no_steady_state);  // no limit is in its way
+    CHECK(path.why == Detail::chatters);
     f.coulomb_width = 1e-2;
     CHECK(loop_verdict(joint, {}).reason == Reason::none);
     f.coulomb = 3, f.coulomb_width = 0;

@@ -115,6 +115,8 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         first_ = climber_->judged(climber_->looks(corrected_));
         set = climbed(pairs, most_rungs, only_noise);
     }
+    // each search leads further down a jagged misfit, and what is half way down leaves too much beside its last cause
+    if (jagged(set.causes) && set.causes.effects.size() > 1) set = settled(std::move(set));
     return finished(std::move(set));
 }
 

@@ -4,6 +4,7 @@
 #include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
 #include "analysis/simulation/lanes/ticked_batch.h"
+#include "analysis/simulation/lanes/watched_batch.h"
 #include "analysis/simulation/points.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/study/dense_chunks.h"
@@ -101,7 +102,8 @@ double seconds_per_point(const NonlinearSpec& spec, const Joint& joint)
 {
     if (spec.enabled && lanes::in_ticked_lanes(joint)) return ticked_lanes_point_cost;
     if (spec.enabled && has_real_loop(joint)) return real_loop_point_cost;
-    if (spec.enabled && !lanes::scaled(joint) && !lanes::stribeck_scaled(joint)) return lone_point_cost;
+    const bool in_lanes = lanes::scaled(joint) || lanes::stribeck_scaled(joint) || lanes::watched_scaled(joint);
+    if (spec.enabled && !in_lanes) return lone_point_cost;
     return spec.enabled ? nonlinear_point_cost : linear_point_cost;
 }
 

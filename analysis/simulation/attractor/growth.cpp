@@ -58,7 +58,17 @@ Rate rate_in(int steps, const Flow& flow, const SlowMode& mode, const FlowVector
     return {(4 * half - whole) / 3, half - whole};
 }
 
+/// To which a small disturbance that grows is lifted, in units of the flow's scale; and the size below which it excites
+/// its mode so little that the lifted one would drown in the solver's tolerance.
+constexpr double lifted_to = 0.1, hidden = 1e-3 * small_disturbance;
+
 }  // namespace
+
+FlowVector lifted(const Flow& flow, const SlowMode& mode, const FlowVector& y)
+{
+    const double size = size_of(flow, mode, y - mode.steady);
+    return mode.steady + lifted_to / (size < hidden ? size : small_disturbance) * (y - mode.steady);
+}
 
 double size_of(const Flow& flow, const SlowMode& mode, const FlowVector& offset)
 {

@@ -16,4 +16,8 @@ double measure_growth(const Flow& flow, const SlowMode& mode, const FlowVector& 
 /// may be far larger, as a position that balances at V_0 starts without a change of speed and brings one about.
 double size_of(const Flow& flow, const SlowMode& mode, const FlowVector& offset);
 
+/// y moved on along its offset from steady sliding: a small disturbance that grows need not be watched while it is
+/// linear, as its direction is known and its size does not matter.
+FlowVector lifted(const Flow& flow, const SlowMode& mode, const FlowVector& y);
+
 }  // namespace stickslip

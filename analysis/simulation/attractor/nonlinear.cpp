@@ -20,10 +20,6 @@
 namespace stickslip {
 namespace {
 
-/// To which a small disturbance that grows is lifted, in units of the flow's scale; and the size below which it excites
-/// its mode so little that the lifted one would drown in the solver's tolerance.
-constexpr double lifted = 0.1, hidden = 1e-3 * small_disturbance;
-
 constexpr double another_gain = 1.5;  ///< per k_p: at two gains only what nothing damps is neutral
 
 void describe_cycle(const Attractor& a, NonlinearVerdict& verdict)
@@ -72,8 +68,8 @@ void leave_open(Reason reason, NonlinearVerdict& verdict)
     verdict.reason = reason;
 }
 
-/// Where the stated disturbance ends. A small one (`small`) that decays ends in steady sliding; one that grows need not
-/// be watched while it is linear: its direction is known, its size is not.
+/// Where the stated disturbance ends. A small one (`small`) that decays ends in steady sliding; one that grows is
+/// lifted.
 template <class AnyFlow>
 Attractor end_of_stated(const AnyFlow& flow, const SlowMode& mode, const FlowVector& y0, bool small, bool decays,
                         const FollowOptions& options)
@@ -86,9 +82,7 @@ Attractor end_of_stated(const AnyFlow& flow, const SlowMode& mode, const FlowVec
         steady.first_peak = first.turn(mode.window()).position_max;
         return steady;
     }
-    const double size = size_of(flow, mode, y0 - mode.steady);
-    const double lift = small ? lifted / (size < hidden ? size : small_disturbance) : 1;
-    return follow(flow, mode.steady + lift * (y0 - mode.steady), decays, options);
+    return follow(flow, small ? lifted(flow, mode, y0) : y0, decays, options);
 }
 
 void take_stated(const Attractor& stated, double deflection, NonlinearVerdict& verdict)

@@ -7,7 +7,9 @@
 
 #include "analysis/simulation/lanes/grouping.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
+#include "analysis/simulation/lanes/watched_batch.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
+#include "analysis/simulation/solvers/work.h"
 
 namespace stickslip::lanes {
 namespace {
@@ -66,6 +68,8 @@ void answer_those(std::optional<Scale> (*scaled)(const Joint&), std::span<const 
     std::vector<typename Scale::Answer> answers(jobs.size());
     Settings settings;
     settings.rtol = options.rtol;
+    settings.watched_turns = options.turn_limit;
+    settings.work = Work(options.effort).left();
     run(jobs.data(), answers.data(), jobs.size(), settings, best_instructions());
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto& e = entries[i];
@@ -108,6 +112,7 @@ void answer(std::span<const Joint> joints, const NonlinearOptions& options, std:
         };
         answer_those<Scaled>(scaled, joints, options, open, as_it_is, row);
         answer_those<StribeckScaled>(stribeck_scaled, joints, options, open, as_it_is, row);
+        answer_those<WatchedScaled>(watched_scaled, joints, options, open, as_it_is, row);
     }
     left_over.insert(left_over.end(), open.begin(), open.end());
     std::sort(left_over.begin(), left_over.end());

@@ -5,6 +5,7 @@
 #include "analysis/simulation/lanes/one_state_model.h"
 #include "analysis/simulation/lanes/stribeck_model.h"
 #include "analysis/simulation/lanes/ticked_kernel.h"
+#include "analysis/simulation/lanes/watched_model.h"
 
 namespace stickslip::lanes {
 
@@ -19,6 +20,20 @@ template <int width, int count>
 void run_wide(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t number, const Settings& settings)
 {
     Kernel<StribeckModel, width, count>(jobs, answers, number, settings).run();
+}
+
+template <int width, int count>
+void run_wide(const WatchedJob* jobs, WatchedAnswer* answers, std::size_t number, const Settings& settings,
+              WatchedLaw law)
+{
+    switch (law) {
+        case WatchedLaw::two_slip_states:
+            return Kernel<TwoSlipModel, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::two_ageing_states:
+            return Kernel<TwoAgeingModel, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::lugre:
+            return Kernel<LuGreModel, width, count>(jobs, answers, number, settings).run();
+    }
 }
 
 template <int width, int count>

@@ -1,5 +1,6 @@
 // Questions to the lanes, and their answers: plain numbers in the four dimensionless groups.
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,11 +38,12 @@ struct Job {
 };
 
 enum class Ending : std::uint8_t {
-    decays,    ///< back to steady sliding; the search, if there was one, found no cycle
-    cycle,     ///< small disturbances grow into this cycle
-    bistable,  ///< small disturbances decay, a larger one ends in this cycle
-    leaves,    ///< small disturbances decay, the stated one does not; in what it ends was not asked
-    left_over  ///< not for the lanes: the reference must decide
+    decays,     ///< back to steady sliding; the search, if there was one, found no cycle
+    cycle,      ///< small disturbances grow into this cycle
+    bistable,   ///< small disturbances decay, a larger one ends in this cycle
+    leaves,     ///< small disturbances decay, the stated one does not; in what it ends was not asked
+    undecided,  ///< small disturbances grow into a motion that was watched for as long as any is, and found no end
+    left_over   ///< not for the lanes: the reference must decide
 };
 
 struct Answer {
@@ -62,6 +64,8 @@ struct Settings {
     double rough = 1e-5;           ///< tolerance of searches whose outcome is then refined or is clear without
     int turn_limit = 40;           ///< of the cycle search; beyond, the point is left over
     int patient_turn_limit = 400;  ///< of a stated disturbance that may decay, turn by turn
+    int watched_turns = 3000;      ///< of a motion that is watched until it repeats
+    double work = HUGE_VAL;        ///< the same in units of Work
     long step_limit = 100000;
 };
 

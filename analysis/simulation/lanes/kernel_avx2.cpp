@@ -12,6 +12,12 @@ void run_avx2(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t coun
     run_wide<4, 2>(jobs, answers, count, settings);
 }
 
+void run_avx2(const WatchedJob* jobs, WatchedAnswer* answers, std::size_t count, const Settings& settings,
+              WatchedLaw law)
+{
+    run_wide<4, 2>(jobs, answers, count, settings, law);
+}
+
 void run_avx2(const TickedJob* jobs, std::size_t count, TickedKind kind)
 {
     run_wide<4, 2>(jobs, count, kind);

@@ -12,6 +12,12 @@ void run_avx512(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t co
     run_wide<8, 2>(jobs, answers, count, settings);
 }
 
+void run_avx512(const WatchedJob* jobs, WatchedAnswer* answers, std::size_t count, const Settings& settings,
+                WatchedLaw law)
+{
+    run_wide<8, 2>(jobs, answers, count, settings, law);
+}
+
 void run_avx512(const TickedJob* jobs, std::size_t count, TickedKind kind)
 {
     run_wide<8, 2>(jobs, count, kind);

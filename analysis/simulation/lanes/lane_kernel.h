@@ -86,6 +86,7 @@ class Kernel {
         view.t = t_[i];
         view.h = h[i];
         for (int k = 0; k < size; ++k) view.y0[k] = y_[k][i], view.y1[k] = s.end(k)[i];
+        if constexpr (requires { view.steps; }) view.steps = steps_[i];
         equations_.look(i, s, view);
         carry_out(i, programs_[i].handle(view, equations_.flags(view, i, settled_[i])));
     }

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "analysis/numerics/hermite.h"
-#include "analysis/simulation/lanes/dense_output.h"
-
 namespace stickslip::lanes {
 namespace {
 
@@ -13,26 +10,6 @@ namespace {
 /// × 61 gains of the bistable strip (examples/03-bistable-strip) every outcome and region is that of searches that are
 /// all fine and every number within 2·10⁻⁵ of theirs; with all rough searches accepted an overshoot is off by 0.4 %.
 constexpr double clear_decay = 0.95, clear_multiplier = 0.95;
-
-struct Dense : DenseOutput {
-    Dense(const StepView& s, int component) : DenseOutput{s.y0[component], s.y1[component], {0, 0, 0}}
-    {
-        for (int r = 0; r < 3; ++r)
-            for (int j = 0; j < rodas5p::stages; ++j) k[r] += rodas5p::dense[r][j] * s.U[j][component];
-    }
-};
-
-/// Where y turned in the step before: on the cubic through its start, both ends of this step and the slope between
-/// them.
-double turned_before(const StepView& s, const Dense& y)
-{
-    const double slope = y.slope_at_start() / s.h, back = s.h_before;
-    const double ahead = (y.y1 - y.y0 - slope * s.h) / (s.h * s.h);
-    const double behind = (s.w_before - y.y0 + slope * back) / (back * back);
-    const double c = (ahead - behind) / (s.h + back), b = ahead - c * s.h;
-    const double t = -slope / (b + std::copysign(std::sqrt(b * b - 3 * c * slope), b));
-    return t < 0 && t > -back ? y.y0 + t * (slope + t * (b + t * c)) : y.y0;
-}
 
 }  // namespace
 
@@ -134,10 +111,7 @@ Action Program::give_up()
 
 void Program::note_extremum(const StepView& s)
 {
-    // slopes of the dense output, as rates of a stiff motion are no better than its tolerance times its stiffness
-    const Dense w(s, 1);
-    const auto within = hermite_turning(w.y0, w.y1, w.slope_at_start(), w.slope_at_end(), 1);
-    const double extremum = within ? w(*within) : turned_before(s, w);
+    const double extremum = extreme_speed(s);
     answer_.w_max = std::max(answer_.w_max, extremum);
     answer_.w_min = std::min(answer_.w_min, extremum);
 }
@@ -145,7 +119,7 @@ void Program::note_extremum(const StepView& s)
 Action Program::end_of_turn(const StepView& step, double fraction)
 {
     const auto& g = job_->groups;
-    const double X = Dense(step, 0)(fraction), p = Dense(step, 2)(fraction);
+    const double X = DenseComponent(step, 0)(fraction), p = DenseComponent(step, 2)(fraction);
     const Point end{g.K * X, p};
     Point start = end;
     if (job_->stated && !on_turn_ && phase_ != Phase::search) answer_.peak = std::max(answer_.peak, X);
@@ -193,16 +167,16 @@ Action Program::handle(const StepView& step, EventFlags flags)
     }
     if (flags.turning) note_extremum(step);
     if (flags.slow) {
-        const double at = step.t + step.h * crossing(Dense(step, 1), near_rest_logarithm);
+        const double at = step.t + step.h * crossing(DenseComponent(step, 1), near_rest_logarithm);
         if (step.y1[1] < step.y0[1])
             rested_since_ = at;
         else
             answer_.rest_time += at - rested_since_;
     }
     if (flags.section) {
-        const double fraction = crossing(Dense(step, 1), 0);
+        const double fraction = crossing(DenseComponent(step, 1), 0);
         if (step.y1[1] < step.y0[1]) return end_of_turn(step, fraction);
-        if (on_turn_) answer_.x_min = std::min(answer_.x_min, Dense(step, 0)(fraction));
+        if (on_turn_) answer_.x_min = std::min(answer_.x_min, DenseComponent(step, 0)(fraction));
     }
     return {};
 }

@@ -5,17 +5,9 @@
 #include "analysis/simulation/lanes/basin.h"
 #include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/lanes/secant.h"
-#include "analysis/simulation/solvers/rodas5p_table.h"
+#include "analysis/simulation/lanes/step_view.h"
 
 namespace stickslip::lanes {
-
-/// One accepted step of one lane, as the kernel hands it over.
-struct StepView {
-    double t, h;          ///< start and length, in the time of the present phase
-    double y0[3], y1[3];  ///< X, w, p at both ends
-    double U[rodas5p::stages][3];
-    double w_before, h_before;  ///< the step before: w at its start, its length
-};
 
 /// Why the kernel stops at a step.
 struct EventFlags {
@@ -30,8 +22,8 @@ struct EventFlags {
 struct Action {
     enum class Kind { carry_on, restart, finished };
     Kind kind = Kind::carry_on;
-    double y[3] = {0, 0, 0};  ///< restart: from here, at time 0
-    double h = 0;             ///< restart: first step
+    double y[most_unknowns] = {};  ///< restart: from here, at time 0
+    double h = 0;                  ///< restart: first step
 };
 
 enum class Phase : std::uint8_t {

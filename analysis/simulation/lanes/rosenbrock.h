@@ -23,6 +23,31 @@ struct Triple {
     }
 };
 
+/// Triple, and one state more.
+template <class P>
+struct Quadruple {
+    Triple<P> joint;
+    P w, z;  ///< w that of the joint
+
+    [[gnu::always_inline]] static Quadruple zero() { return {Triple<P>::zero(), P(0.0), P(0.0)}; }
+    [[gnu::always_inline]] void add(const Quadruple& y) { joint.add(y.joint), w = joint.w, z = z + y.z; }
+    [[gnu::always_inline]] void add(const P& weight, const Quadruple& y)
+    {
+        joint.add(weight, y.joint), w = joint.w, z = z + weight * y.z;
+    }
+};
+
+template <class P>
+[[gnu::always_inline]] inline P part(const Triple<P>& y, int k)
+{
+    return k == 0 ? y.X : k == 1 ? y.w : y.p;
+}
+template <class P>
+[[gnu::always_inline]] inline P part(const Quadruple<P>& y, int k)
+{
+    return k == 3 ? y.z : part(y.joint, k);
+}
+
 /// How fast the state p changes, and by what: the slip law.
 template <class P>
 struct SlipState {
@@ -71,6 +96,19 @@ struct PackedStep {
     const State& error() const { return U[rodas5p::stages - 1]; }
 };
 
+/// What everything at one state shares: e^w, and what a force does to w.
+template <class P>
+struct AtState {
+    Exponential<P> e;
+    P per_Mv;
+};
+template <class Equations, class State>
+[[gnu::always_inline]] inline auto at_state(const Equations& g, const State& y)
+{
+    const auto e = exponential(y.w);
+    return AtState<decltype(e.value * e.value)>{e, g.per_M / e.value};
+}
+
 template <class P, template <class> class Friction>
 [[gnu::always_inline]] inline Triple<P> rate(const PackedGroups<P, Friction>& g, const Triple<P>& y,
                                              const Exponential<P>& v, const P& per_Mv)
@@ -90,23 +128,27 @@ template <const auto& table, int i, class P, class State, int... j>
     (add.template operator()<j>(), ...);
 }
 
-/// Factors of I/(hγ) − J with J = [0 v 0; −K/(Mv) J_11 −1/(Mv); 0 J_21 J_22], eliminated through the middle row.
+/// Factors of I/(hγ) − J with J = [0 v 0; −J_10 J_11 −J_12; 0 J_21 −decay], eliminated through the middle row.
 template <class P>
 struct Elimination {
     P hg, v, J21, x_share, p_share, per_gs, per_pivot;
 
+    [[gnu::always_inline]] Elimination(const P& h, const P& speed, const P& J10, const P& J11, const P& J12,
+                                       const P& by_w, const P& decay)
+        : hg(h * P(rodas5p::gamma)), v(speed), J21(by_w)
+    {
+        const P diagonal = P(1.0) / hg;
+        per_gs = P(1.0) / (diagonal + decay);
+        x_share = J10 * hg;
+        p_share = J12 * per_gs;
+        per_pivot = P(1.0) / ((diagonal - J11) + x_share * v + p_share * J21);
+    }
     template <template <class> class Friction>
     [[gnu::always_inline]] Elimination(const PackedGroups<P, Friction>& g, const Triple<P>& y, const Exponential<P>& e,
                                        const P& per_Mv, const P& w_rate, const P& h)
-        : hg(h * P(rodas5p::gamma)), v(e.value)
+        : Elimination(h, e.value, g.K * per_Mv, -((g.c * e.value + 1.0) * per_Mv) - w_rate, per_Mv,
+                      g.friction.by_w(y, e), g.friction.decay(y, e))
     {
-        const P diagonal = P(1.0) / hg;
-        const P J11 = -((g.c * v + 1.0) * per_Mv) - w_rate;
-        J21 = g.friction.by_w(y, e);
-        per_gs = P(1.0) / (diagonal + g.friction.decay(y, e));
-        x_share = g.K * per_Mv * hg;
-        p_share = per_Mv * per_gs;
-        per_pivot = P(1.0) / ((diagonal - J11) + x_share * v + p_share * J21);
     }
     [[gnu::always_inline]] Triple<P> solve(const Triple<P>& right) const
     {
@@ -127,10 +169,10 @@ template <class P, template <class> class Friction>
 template <class P, class Equations, class State>
 [[gnu::always_inline]] inline void rodas5p_step(const Equations& g, const State& y, const P& h, PackedStep<State>& step)
 {
-    const auto e = exponential(y.w);
-    const P per_Mv = g.per_M / e.value, per_h = P(1.0) / h;
-    const State start_rate = rate(g, y, e, per_Mv);
-    const auto matrix = eliminate(g, y, e, per_Mv, start_rate.w, h);
+    const auto here = at_state(g, y);
+    const P per_h = P(1.0) / h;
+    const State start_rate = rate(g, y, here.e, here.per_Mv);
+    const auto matrix = eliminate(g, y, here.e, here.per_Mv, start_rate.w, h);
     step.U[0] = matrix.solve(start_rate);
     State stage;
     const auto advance = [&]<int i>() __attribute__((always_inline))
@@ -142,8 +184,8 @@ template <class P, class Equations, class State>
         } else {  // rows 6 and 7 of the table: the stage before plus its U
             stage.add(step.U[i - 1]);
         }
-        const auto ei = exponential(stage.w);
-        State f = rate(g, stage, ei, g.per_M / ei.value), carried = State::zero();
+        const auto there = at_state(g, stage);
+        State f = rate(g, stage, there.e, there.per_Mv), carried = State::zero();
         add_stages<rodas5p::c, i, P>(carried, step.U, Before{});
         f.add(per_h, carried);
         step.U[i] = matrix.solve(f);

@@ -61,17 +61,36 @@ void run_widest(Instructions instructions, Arguments&&... arguments)
     }
 }
 
-}  // namespace
+constexpr long patient_step_limit = 1'000'000;  ///< beyond what Settings::work allows
 
-void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
+/// Jobs of one law after another.
+template <class Job, class Answer>
+void run_by_law(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings,
+                Instructions instructions)
 {
     std::size_t first = 0;
     for (std::size_t last = 1; last <= count; ++last) {
-        const StateLaw law = jobs[first].groups.law;
+        const auto law = jobs[first].groups.law;
         if (last < count && jobs[last].groups.law == law) continue;
         run_widest(instructions, jobs + first, answers + first, last - first, settings, law);
         first = last;
     }
+}
+
+}  // namespace
+
+void run(const Job* jobs, Answer* answers, std::size_t count, const Settings& settings, Instructions instructions)
+{
+    run_by_law(jobs, answers, count, settings, instructions);
+}
+
+/// Such motions are followed for as long as the reference follows them, by steps that are not counted between turns.
+void run(const WatchedJob* jobs, WatchedAnswer* answers, std::size_t count, const Settings& settings,
+         Instructions instructions)
+{
+    Settings patient = settings;
+    patient.step_limit = patient_step_limit;
+    run_by_law(jobs, answers, count, patient, instructions);
 }
 
 void run(const StribeckJob* jobs, StribeckAnswer* answers, std::size_t count, const Settings& settings,

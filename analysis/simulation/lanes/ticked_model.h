@@ -18,20 +18,6 @@ struct HeldForce : PackedGroups<P, Friction> {
     static State state(const P* y) { return {y[0], y[1], y[2]}; }
 };
 
-/// Triple, and z.
-template <class P>
-struct Quadruple {
-    Triple<P> joint;
-    P w, z;  ///< w that of the joint
-
-    [[gnu::always_inline]] static Quadruple zero() { return {Triple<P>::zero(), P(0.0), P(0.0)}; }
-    [[gnu::always_inline]] void add(const Quadruple& y) { joint.add(y.joint), w = joint.w, z = z + y.z; }
-    [[gnu::always_inline]] void add(const P& weight, const Quadruple& y)
-    {
-        joint.add(weight, y.joint), w = joint.w, z = z + weight * y.z;
-    }
-};
-
 template <class P, template <class> class Friction>
 struct LaggingForce : PackedGroups<P, Friction> {
     static constexpr int size = 4;
@@ -41,17 +27,6 @@ struct LaggingForce : PackedGroups<P, Friction> {
     void set_lag(int lane, double lag) { per_lag.set(lane, 1 / lag); }
     static State state(const P* y) { return {{y[0], y[1], y[2]}, y[1], y[3]}; }
 };
-
-template <class P>
-[[gnu::always_inline]] inline P part(const Triple<P>& y, int k)
-{
-    return k == 0 ? y.X : k == 1 ? y.w : y.p;
-}
-template <class P>
-[[gnu::always_inline]] inline P part(const Quadruple<P>& y, int k)
-{
-    return k == 3 ? y.z : part(y.joint, k);
-}
 
 template <class P, template <class> class Friction>
 [[gnu::always_inline]] inline Triple<P> rate(const HeldForce<P, Friction>& g, const Triple<P>& y,

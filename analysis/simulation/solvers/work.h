@@ -11,6 +11,7 @@ class Work {
     explicit Work(double effort) : left_(usual * effort) {}
     void spend(double units) { left_ -= units; }
     bool spent() const { return left_ <= 0; }
+    double left() const { return left_; }
 
     /// Of the usual, for loops that are followed tick by tick. Reason: a tick is a step at least, however slowly the
     /// loop moves, and noise leaves no turn that could be computed in place of being waited for. Evidence: on maps of

@@ -95,8 +95,9 @@ struct Compared {
 inline double growth_by_cvode(const Joint& joint)
 {
     constexpr double rtol = 1e-13;
-    if (!std::holds_alternative<RateAndState>(joint.friction.law)) return missing;  // its spectrum is a closed form
-    const auto& law = std::get<RateAndState>(joint.friction.law);
+    const auto* slip = std::get_if<RateAndState>(&joint.friction.law);
+    if (!slip || slip->states() != 1) return missing;  // their spectra are closed forms or polynomials
+    const auto& law = *slip;
     const double A = law.A, L = law.L[0], V0 = joint.control.V0;
     const lanes::Groups groups{joint.control.k_p * L / A, joint.mechanism.inertia * V0 * V0 / (L * A), law.B[0] / A,
                                joint.control.k_v * V0 / A};

@@ -1,0 +1,192 @@
+#include "analysis/simulation/lanes/watched_batch.h"
+
+#include <algorithm>
+
+#include "analysis/simulation/attractor/growth.h"
+#include "analysis/simulation/attractor/large_starts.h"
+#include "analysis/simulation/lanes/grouping.h"
+#include "analysis/stability/spectrum.h"
+#include "analysis/stability/steady.h"
+
+namespace stickslip::lanes {
+namespace {
+
+WatchedScaled in_units(const Joint& joint, double length, double force)
+{
+    const auto sliding = steady_sliding(joint);
+    const double V0 = sliding.velocity;
+    WatchedScaled s;
+    s.length = length, s.velocity = V0, s.force = force, s.deflection = sliding.deflection;
+    s.groups.K = rounded(joint.control.k_p * length / force);
+    s.groups.M = rounded(joint.mechanism.inertia * V0 * V0 / (length * force));
+    return s;
+}
+
+std::optional<WatchedScaled> two_states(const Joint& joint)
+{
+    const auto* slip = std::get_if<RateAndState>(&joint.friction.law);
+    const auto* ageing = std::get_if<Ageing>(&joint.friction.law);
+    const RateStateParameters* law = slip;
+    if (ageing) law = ageing;
+    if (!law || law->B.size != 2 || !(law->B[0] > 0 && law->B[1] > 0)) return {};
+    const double A = joint.friction.normal_load * law->A;
+    WatchedScaled s = in_units(joint, law->L[0], A);
+    s.groups.law = slip ? WatchedLaw::two_slip_states : WatchedLaw::two_ageing_states;
+    s.groups.c = rounded(joint.control.k_v * s.velocity / A);
+    s.groups.own[0] = rounded(law->B[0] / law->A), s.groups.own[1] = rounded(law->B[1] / law->A);
+    s.groups.own[2] = rounded(law->L[0] / law->L[1]);
+    return s;
+}
+
+std::optional<WatchedScaled> bristles(const Joint& joint)
+{
+    const auto* law = std::get_if<LuGre>(&joint.friction.law);
+    if (!law) return {};
+    const double V0 = steady_sliding(joint).velocity, load = joint.friction.normal_load;
+    const double level = law->level(V0).value, speeds = V0 / law->stribeck_velocity;
+    WatchedScaled s = in_units(joint, level / law->sigma0, load * level);
+    s.groups.law = WatchedLaw::lugre;
+    s.groups.c = rounded((joint.control.k_v + load * law->sigma2) * V0 / (load * level));
+    s.groups.own[0] = rounded(law->sigma1 * V0 / level);
+    s.groups.own[1] = rounded((level - law->coulomb) / level);
+    s.groups.own[2] = rounded(speeds * speeds);
+    return s;
+}
+
+/// A joint of these groups whose units are those of its law.
+Joint joint_of(const WatchedGroups& g)
+{
+    Joint joint;
+    joint.mechanism.inertia = g.M;
+    joint.control.k_p = g.K, joint.control.k_v = g.c, joint.control.V0 = 1;
+    RateStateParameters states;
+    states.f0 = 0, states.A = 1, states.V_star = 1;
+    if (g.law == WatchedLaw::lugre) {
+        LuGre law;
+        law.sigma0 = 1, law.sigma1 = g.own[0], law.sigma2 = 0;
+        law.coulomb = 1 - g.own[1], law.breakaway = law.coulomb + g.own[1] * std::exp(g.own[2]);
+        law.stribeck_velocity = 1 / std::sqrt(g.own[2]);
+        joint.friction.law = law;
+        return joint;
+    }
+    states.B.push_back(g.own[0]), states.B.push_back(g.own[1]);
+    states.L.push_back(1), states.L.push_back(1 / g.own[2]);
+    if (g.law == WatchedLaw::two_slip_states) {
+        RateAndState law;
+        static_cast<RateStateParameters&>(law) = states;
+        joint.friction.law = law;
+    } else {
+        Ageing law;
+        static_cast<RateStateParameters&>(law) = states;
+        joint.friction.law = law;
+    }
+    return joint;
+}
+
+void take(const SlidingFlow& flow, const FlowVector& y, double* unknowns)
+{
+    const FlowVector offset = y - flow.steady();
+    std::copy_n(offset.data(), flow.size(), unknowns);
+}
+
+constexpr double largest_group = 1e9, largest_rho = 500;
+
+}  // namespace
+
+std::optional<WatchedScaled> watched_scaled(const Joint& joint)
+{
+    if (!single(joint) || !plain(joint.friction, joint.load)) return {};
+    const auto sliding = steady_sliding(joint);
+    const bool forwards = sliding.reason == Reason::none && sliding.velocity > 0;
+    if (!forwards || !(joint.control.k_p > 0 && joint.control.k_v >= 0 && joint.friction.normal_load > 0)) return {};
+    const auto s = std::holds_alternative<LuGre>(joint.friction.law) ? bristles(joint) : two_states(joint);
+    if (!s) return {};
+    const auto& g = s->groups;
+    bool in_range = g.K > 0 && g.K < largest_group && g.M > 1 / largest_group && g.M < largest_group;
+    in_range = in_range && g.c < largest_group;
+    for (const double own : g.own) in_range = in_range && own >= 0 && own < largest_group;
+    if (g.law == WatchedLaw::lugre) in_range = in_range && g.own[2] > 0 && g.own[2] < largest_rho && g.own[1] < 1;
+    return in_range ? s : std::nullopt;
+}
+
+bool less(const WatchedGroups& a, const WatchedGroups& b)
+{
+    if (a.law != b.law) return a.law < b.law;
+    if (a.M != b.M) return a.M < b.M;
+    if (a.c != b.c) return a.c < b.c;
+    if (a.K != b.K) return a.K < b.K;
+    return std::lexicographical_compare(std::begin(a.own), std::end(a.own), std::begin(b.own), std::end(b.own));
+}
+
+WatchedJob job(const WatchedGroups& g, bool search)
+{
+    WatchedJob job{};
+    job.groups = g;
+    const Joint joint = joint_of(g);
+    const SlidingFlow flow = sliding_flow(joint).flow;
+    const auto mode = slow_mode(flow);
+    const FlowVector scale = flow.scale(), small = disturbed(flow, mode, DisturbanceKind::position,
+                                                             default_size(flow, mode, DisturbanceKind::position));
+    std::copy_n(scale.data(), flow.size(), job.scale);
+    job.rate = spectral_abscissa(linear_mass(joint, 1));
+    job.frequency = std::abs(mode.s.imag());
+    take(flow, job.rate > 0 ? lifted(flow, mode, small) : small, job.start);
+    const auto larger = large_starts(flow, mode);
+    if (!search) return job;
+    for (const auto& start : larger.y)
+        if (start.allFinite()) take(flow, start, job.larger[job.searches++]);
+    return job;
+}
+
+bool state(const Disturbance& d, const Joint& joint, const WatchedScaled& scale, WatchedJob& job)
+{
+    double size = d.size;
+    switch (d.kind) {
+        case DisturbanceKind::position:
+        case DisturbanceKind::offset:
+            size /= scale.length;
+            break;
+        case DisturbanceKind::velocity:
+            size /= scale.velocity;
+            break;
+        case DisturbanceKind::impulse:
+            size *= job.groups.M / (joint.mechanism.inertia * scale.velocity);
+            break;
+        case DisturbanceKind::state:
+            size /= scale.force;
+            break;
+        case DisturbanceKind::start:
+            break;
+    }
+    const SlidingFlow flow = sliding_flow(joint_of(job.groups)).flow;
+    const FlowVector y = disturbed(flow, slow_mode(flow), d.kind, size);
+    job.stated = true;
+    take(flow, y, job.start);
+    for (double& value : job.start) value = rounded(value);
+    return y.allFinite() && std::any_of(std::begin(job.start), std::end(job.start), [](double x) { return x != 0; });
+}
+
+bool write(const WatchedAnswer& a, const WatchedScaled& s, const WatchedJob& job, PointResult& point)
+{
+    point.growth_rate = job.rate * s.velocity / s.length;
+    if (a.ending == Ending::left_over) return false;
+    const double per_deflection = s.length / std::abs(s.deflection);
+    const auto speed = [&](double w) {
+        return s.velocity * (job.groups.law == WatchedLaw::lugre ? 1 + w : std::exp(w));
+    };
+    point.path = DecisionPath::lanes;
+    const bool goes_on = a.reached || a.ending == Ending::undecided;
+    point.overshoot = std::max({0.0, goes_on ? a.x_max : 0.0, a.peak}) * per_deflection;  // a lifted one has no peak
+    point.outcome = a.ending == Ending::undecided ? Outcome::undecided : a.reached ? a.cycle : Outcome::stable_sliding;
+    if (a.ending == Ending::undecided && point.reason == Reason::none) point.reason = Reason::not_converged;
+    if (a.ending == Ending::bistable) point.region = Region::bistable;
+    if (a.ending == Ending::decays || a.ending == Ending::undecided) return true;
+    point.amplitude = 0.5 * (a.x_max - a.x_min) * s.length;
+    point.velocity_min = speed(a.w_min);
+    point.velocity_max = speed(a.w_max);
+    point.period = a.cycle == Outcome::irregular ? missing : a.period * s.length / s.velocity;
+    point.stick_fraction = a.rest_time / a.period;
+    return true;
+}
+
+}  // namespace stickslip::lanes

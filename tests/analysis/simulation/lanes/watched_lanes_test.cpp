@@ -18,7 +18,8 @@ int same_as_cvode(const std::vector<Joint>& joints)
     int by_lanes = 0;
     for (const auto& c : compare_with_cvode(joints, true)) {
         CHECK(c.same_outcome());
-        CHECK(c.row.reason == c.truth.reason);
+        // of what lanes leave over, CVODE at 1e-11 may run out of work where at the sweep's tolerance it does not
+        if (c.row.path == DecisionPath::lanes) CHECK(c.row.reason == c.truth.reason);
         CHECK(c.row_spectrum < 1e-7);
         CHECK(c.rest < 1e-5);
         CHECK(c.period < 1e-5);
@@ -58,6 +59,9 @@ bool same_bits(const lanes::WatchedAnswer& a, const lanes::WatchedAnswer& b)
 TEST_CASE("two states in lanes: every row as CVODE has it", "[lanes][slow]")
 {
     CHECK(same_as_cvode(random_two_state_joints(60, 21)) > 55);
+    auto ageing = random_two_state_joints(40, 27);
+    for (auto& joint : ageing) joint = with_ageing(joint);
+    CHECK(same_as_cvode(ageing) > 36);
 }
 
 TEST_CASE("bristles in lanes: every row as CVODE has it", "[lanes][slow]")

@@ -10,14 +10,9 @@ FittedSet Climber::unfitted_without(const FittedSet& set, std::size_t member) co
 {
     Candidate causes;
     causes.records = set.causes.records;
-    const Eigen::VectorXd own = set.of_causes(set.fit.x);
     Eigen::VectorXd x;
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
-        const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-        if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, own.segment(at, count));
-        at += count;
-    }
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i)
+        if (i != member) x = insert(causes, set.causes.effects[i], set.causes.forms[i], x, set.of_member(i));
     return fitter_.unfitted(causes, set, x);
 }
 
@@ -29,12 +24,9 @@ FittedSet Climber::without(const FittedSet& set, std::size_t member) const
 
 FittedSet Climber::with(const FittedSet& less, const FittedSet& set, std::size_t member) const
 {
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-    const auto count = static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[member]));
     Candidate causes = less.causes;
     const auto x = insert(causes, set.causes.effects[member], set.causes.forms[member], less.of_causes(less.fit.x),
-                          set.of_causes(set.fit.x).segment(at, count));
+                          set.of_member(member));
     return fitter_.fit(causes, fitter_.start(causes, less, x));
 }
 
@@ -128,9 +120,8 @@ FittedSet Climber::flexed(FittedSet set)
 std::vector<Start> Climber::parts_of(const FittedSet& set, std::size_t member) const
 {
     const FittedSet others = unfitted_without(set, member);
+    const Eigen::VectorXd own = set.of_member(member), of_others = others.of_causes(others.fit.x);
     Eigen::Index at = 0;
-    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
-    const Eigen::VectorXd own = set.of_causes(set.fit.x), of_others = others.of_causes(others.fit.x);
     std::vector<Start> starts;
     const auto add = [&](const Candidate& causes, const Eigen::VectorXd& x) {
         starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
@@ -181,11 +172,9 @@ std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size
     if (effect.flexible.empty() || set.causes.forms[member] != &effect.forms[0]) return {};
     const EffectForm& form = effect.flexible[0];
     const FittedSet others = unfitted_without(set, member);
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < member; ++i) at += static_cast<Eigen::Index>(set.causes.count_of(*set.causes.forms[i]));
     const auto count = static_cast<Eigen::Index>(effect.forms[0].parameters.size());
     Eigen::VectorXd own = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(form.parameters.size()));
-    own.head(count) = set.of_causes(set.fit.x).segment(at, count);
+    own.head(count) = set.of_member(member).head(count);
     std::vector<Start> starts;
     const auto add = [&](const Eigen::VectorXd& numbers) {
         Candidate causes = others.causes;

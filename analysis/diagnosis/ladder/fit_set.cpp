@@ -44,6 +44,14 @@ std::vector<Window> FittedSet::all_left() const
     return all;
 }
 
+Eigen::VectorXd FittedSet::of_member(std::size_t member) const
+{
+    const auto count = [&](std::size_t i) { return static_cast<Eigen::Index>(causes.count_of(*causes.forms[i])); };
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < member; ++i) at += count(i);
+    return of_causes(fit.x).segment(at, count(member));
+}
+
 double FittedSet::deviations() const
 {
     double sum = 0;

@@ -26,6 +26,8 @@ struct FittedSet {
     double misfit = infinity;  ///< held-out mean log square, with what the priors and the number of parameters cost
 
     std::vector<Window> all_left() const;
+    /// Numbers of one of the causes.
+    Eigen::VectorXd of_member(std::size_t member) const;
     /// Squares of what the corrections are off by, in standard deviations of their priors.
     double deviations() const;
     /// Numbers of the causes alone.

@@ -75,14 +75,9 @@ std::optional<double> Climber::misfit_in(const FittedSet& last, const Candidate&
     exchanged.causes.records = last.causes.records;
     Eigen::VectorXd x;
     const auto take = [&](const FittedSet& from, auto&& wanted) {
-        const Eigen::VectorXd own = from.of_causes(from.fit.x);
-        Eigen::Index at = 0;
-        for (std::size_t i = 0; i < from.causes.effects.size(); ++i) {
-            const auto count = static_cast<Eigen::Index>(from.causes.count_of(*from.causes.forms[i]));
+        for (std::size_t i = 0; i < from.causes.effects.size(); ++i)
             if (wanted(from.causes.effects[i]))
-                x = insert(exchanged.causes, from.causes.effects[i], from.causes.forms[i], x, own.segment(at, count));
-            at += count;
-        }
+                x = insert(exchanged.causes, from.causes.effects[i], from.causes.forms[i], x, from.of_member(i));
     };
     take(last, [&](const Effect* e) { return !holds(rung, e) || holds(rival.causes, e); });
     const std::size_t others = exchanged.causes.effects.size();

@@ -139,13 +139,9 @@ std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const 
             return is_new(e) && (!Corrections::is_small_term(*e) || corrections_->has(e->name));
         }))
         return std::nullopt;
-    const Eigen::VectorXd x = ladder.last().of_causes(ladder.last().fit.x);
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < all.effects.size(); ++i) {
-        const auto count = static_cast<Eigen::Index>(all.count_of(*all.forms[i]));
-        if (is_new(all.effects[i])) corrections_->add_small_term(*all.effects[i], *all.forms[i], x.segment(at, count));
-        at += count;
-    }
+    for (std::size_t i = 0; i < all.effects.size(); ++i)
+        if (is_new(all.effects[i]))
+            corrections_->add_small_term(*all.effects[i], *all.forms[i], ladder.last().of_member(i));
     begin();
     climber_->forget();
     first_ = climber_->judged(climber_->looks(corrected_));

@@ -8,6 +8,7 @@ void add_divided_mass(Effect& e)
 {
     EffectForm f;
     f.name = "divided-mass";
+    f.divides = true;
     f.parameters = {
         {"width", Quantity::position, Scale::position, true, 1e-5, 0.5, 0.01, "total clearance"},
         {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5, "share of the inertia on the motor side"},

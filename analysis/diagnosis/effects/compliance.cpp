@@ -16,6 +16,7 @@ void add_divided_mass(Effect& e)
 {
     EffectForm f;
     f.name = "divided-mass";
+    f.divides = true;
     f.parameters = {
         {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5, "share of the inertia on the motor side"},
         {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1e6, 100, "transmission stiffness"},

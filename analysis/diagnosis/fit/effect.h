@@ -110,6 +110,7 @@ struct EffectForm {
     /// have: friction whose level alone differs by direction, a base that is tilted.
     std::vector<std::string_view> same_motion{};
     bool own_number = false;       ///< of another number than the effect's first form, as that of the other body
+    bool divides = false;          ///< makes two masses of a joint documented as one: ten times as slow as the others
     bool encoder_on_link = false;  ///< moves the encoder of a joint documented as one mass behind its transmission
     bool effort_alone = false;  ///< moves the joint as a likelier effect does: only a measured effort tells them apart
     /// Of two known masses with backlash: where the link rests within it at the start of an excerpt is not known.
@@ -128,10 +129,9 @@ struct Effect {
     /// The first form with more freedom of shape, its further parameters behind its own. It is not searched for: in a
     /// ladder it takes the place of the first form where it predicts better, so that the name survives another shape.
     std::vector<EffectForm> flexible{};
-    bool of_transmission =
-        false;                ///< divides the mass, or edits what lies between two: ten times as slow as the others
-    bool in_command = false;  ///< a logged command shows it: the audit of the controller judges it
-    bool read_off = false;    ///< the readings show it without any fit
+    bool of_transmission = false;  ///< divides the mass, or edits what lies between two
+    bool in_command = false;       ///< a logged command shows it: the audit of the controller judges it
+    bool read_off = false;         ///< the readings show it without any fit
     /// Of an actuator, and what a wrong scale of the measured effort looks like, too.
     bool scales_reading = false;
 };

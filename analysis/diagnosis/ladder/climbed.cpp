@@ -12,7 +12,7 @@ namespace stickslip::gap {
 Ladder LadderSearch::of(const Attribution& known)
 {
     const Eigen::VectorXd x = fitter_->start(known.candidate, {}, known.x[ladder_level]);
-    if (!two_mass_edit(known.candidate)) return finished(climber_->in_parts(fitter_->fit(known.candidate, x)));
+    if (!divides_mass(known.candidate)) return finished(climber_->in_parts(fitter_->fit(known.candidate, x)));
     // ten times as slow, and its search has been long
     LevelFit found;
     found.x = x;

@@ -40,12 +40,12 @@ std::vector<Start> Climber::looks(const FittedSet& below)
     std::size_t causes = 0;
     for (std::size_t i = 0; i < singles_.size() && causes < rules_.first_look; ++i) {
         const Candidate& single = singles_[i].candidate;
-        const bool too_dear = two_mass_edit(single) && i >= near && !in.empty();
+        const bool too_dear = divides_mass(single) && i >= near && !in.empty();
         if (std::ranges::count(in, single.effects[0]) > 0 || too_dear) continue;
         ++causes;
         looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
         looks.back().causes.records = single.records;
-        if (two_mass_edit(below.causes)) continue;
+        if (divides_mass(below.causes)) continue;
         for (auto& other : other_forms(below.causes, *single.effects[0], single.forms[0], single.records))
             looks.push_back(std::move(other));
     }
@@ -74,11 +74,11 @@ std::vector<Start> Climber::divided_anew(const FittedSet& below) const
 {
     constexpr std::size_t most_beside = 1;  // causes: with more of them a set takes seconds to fit
     std::vector<Start> looks;
-    if (below.causes.effects.size() > most_beside || two_mass_edit(below.causes)) return looks;
+    if (below.causes.effects.size() > most_beside || divides_mass(below.causes)) return looks;
     for (const auto& single : singles_) {
         const Effect* effect = single.candidate.effects[0];
         const Candidate plain{{effect}, {&effect->forms[0]}, single.candidate.records};
-        if (!two_mass_edit(plain) || !plain.applies(fitter_.joint())) continue;
+        if (!divides_mass(plain) || !plain.applies(fitter_.joint())) continue;
         looks.push_back({below.causes, effect, plain.forms[0]});
         looks.back().causes.records = plain.records;
     }
@@ -106,7 +106,7 @@ std::vector<Start> Climber::other_forms(const Candidate& below, const Effect& ef
     std::vector<Start> starts;
     for (const auto& form : effect.forms) {
         const Candidate alone{{&effect}, {&form}, records};
-        if (&form == than || form.own > 0 || two_mass_edit(alone) || !alone.applies(fitter_.joint())) continue;
+        if (&form == than || form.own > 0 || divides_mass(alone) || !alone.applies(fitter_.joint())) continue;
         starts.push_back({below, &effect, &form});
         starts.back().causes.records = records;
     }

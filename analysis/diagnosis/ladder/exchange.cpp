@@ -49,7 +49,7 @@ std::vector<FittedSet> Climber::exchanged(const FittedSet& set)
     for (const auto& below : less)
         for (const auto& single : singles_) {
             const Candidate& other = single.candidate;
-            if (two_mass_edit(other) || !worth_an_exchange(set, below, *other.effects[0])) continue;
+            if (divides_mass(other) || !worth_an_exchange(set, below, *other.effects[0])) continue;
             looks.emplace_back(Start{below.causes, other.effects[0], other.forms[0], single.x}, &below);
             looks.back().first.causes.records = other.records;
         }

@@ -88,7 +88,7 @@ void SetFitter::look(Start& s, const FittedSet& below) const
     for (const auto& numbers : s.alone)
         if (numbers.size() > 0) from.push_back(numbers);
     const bool anew = from.empty();
-    if (anew || !two_mass_edit(added)) {
+    if (anew || !divides_mass(added)) {
         const auto si = in_si(below.model.candidate, below.fit.x, scales_);
         for (auto& seed : starts(data_.fitted(), scales_, added, below.model.candidate, si))
             from.push_back(std::move(seed));

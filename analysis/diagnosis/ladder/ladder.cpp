@@ -21,7 +21,7 @@ std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFi
 {
     std::vector<Start> known;
     for (std::size_t i = 0; i < std::min(known_pairs, pairs.size()); ++i)
-        if (known.empty() || !two_mass_edit(pairs[i].candidate))
+        if (known.empty() || !divides_mass(pairs[i].candidate))
             known.push_back({pairs[i].candidate,
                              nullptr,
                              nullptr,

@@ -109,11 +109,12 @@ inline constexpr double doubt_of_rest = 0.22;
 /// are off, right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside
 /// the published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
-/// Multiple of what a ladder leaves that its last of several rungs must take to keep its chance, which falls in
-/// proportion below. Reason: where more remains than the rung takes, what it takes may be a part of what remains, which
-/// has another cause. Definition: as much as it leaves. Seen in two dirty blind cases: a delay of a third of a sample
-/// that took 0.7 of what it left, a sag that took half of it, both wrong; three right ones took 29 to 85 times as much.
-/// It does not catch all: two wrong ones took 4 and 22 times.
+/// Multiple of what a ladder leaves, of the squares or of their geometric mean over windows, that its last of several
+/// rungs must take to keep its chance, which falls in proportion below. Reason: where more remains than the rung takes,
+/// what it takes may be a part of what remains, which has another cause. Definition: as much as it leaves. Seen in two
+/// dirty blind cases: a delay of a third of a sample that took 0.7 of what it left, a sag that took half of it, both
+/// wrong; three right ones took 29 to 85 times as much, a backlash 0.6 of the squares and three times as much in the
+/// geometric mean. It does not catch all: two wrong ones took 4 and 22 times.
 inline constexpr double taken_of_rest = 1;
 /// Part of the squares that the corrections, or the causes above, take. A last rung that is a small term of every
 /// machine (`small_term`) and takes less is not named; if no rung is left, the wrong parameters are the answer. The

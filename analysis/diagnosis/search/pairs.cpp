@@ -181,7 +181,7 @@ void PairSearch::add_partners(std::vector<Pair>& simple, std::vector<Pair>& divi
         for (std::size_t j = i + 1; j < singles_.size(); ++j) {
             const bool a = two_mass_edit(singles_[i].candidate), b = two_mass_edit(singles_[j].candidate);
             // divided masses cost ten times as much: they look for a partner only where they are best
-            if ((a && b) || (i > 0 && a)) continue;
+            if ((a && b) || (i > 0 && divides_mass(singles_[i].candidate))) continue;
             add(a || b ? divided : simple, singles_[i], singles_[j]);
         }
 }

@@ -23,6 +23,11 @@ bool two_mass_edit(const Candidate& candidate)
     return std::ranges::any_of(candidate.effects, [](const auto* e) { return e->of_transmission; });
 }
 
+bool divides_mass(const Candidate& candidate)
+{
+    return std::ranges::any_of(candidate.forms, [](const auto* f) { return f->divides; });
+}
+
 bool moves_encoder(const Candidate& candidate)
 {
     return std::ranges::any_of(candidate.forms, [](const auto* f) { return f->encoder_on_link; });

@@ -14,8 +14,10 @@ inline constexpr int iterations = 12;
 inline constexpr double clear_score = 0.04;  ///< so little is left that no better numbers are needed
 
 bool jagged(const Candidate& candidate);
-/// Whether it divides the mass or gives it backlash: ten times as slow as the others.
+/// Whether it divides the mass, or edits what lies between two.
 bool two_mass_edit(const Candidate& candidate);
+/// Whether it makes two masses of a joint documented as one: ten times as slow as the others.
+bool divides_mass(const Candidate& candidate);
 /// Whether it moves the encoder of a joint documented as one mass behind its transmission.
 bool moves_encoder(const Candidate& candidate);
 /// Whether it gives two known masses backlash: where the link rests within it is history, which excerpts cut off, and a

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 
 using namespace stickslip;
@@ -99,6 +100,24 @@ TEST_CASE("a further rung that takes less than it leaves may be a part of what i
     CHECK(last_of(0.3, 0.3) == 0);
     j.noise_left = true;
     CHECK(last_of(0.4, 0.3) == Approx(1 - policy::doubt_of_noise));
+}
+
+TEST_CASE("windows that are lost whatever the model do not speak against a further rung", "[gap][ladder]")
+{
+    auto j = ladder_of_one({}, 3, false);
+    j.ladder.rungs.push_back(rung({"gravity", "backlash"}, 0.05, 3));
+    j.ladder.rivals.emplace_back();
+    j.shares.rungs = {0.4, 0.3}, j.shares.explainable_to = 0.3;
+    const double whole = 1 - policy::doubt_of_noise - policy::doubt_of_rest;
+    // each of three windows of 200 rows: what the causes above leave, and what all of them do
+    const auto last_of = [&](std::array<double, 3> above, std::array<double, 3> all) {
+        for (std::size_t f = 0; f < 3; ++f)
+            j.ladder.rungs[0].left[f][0].position = above[f], j.ladder.rungs[1].left[f][0].position = all[f];
+        return chances_of(j)[1];
+    };
+    CHECK(last_of({101, 101, 1000}, {2, 2, 1000}) == Approx(whole));  // 217 and 16 times the noise
+    CHECK(last_of({1, 1, 1000}, {1, 1, 1000}) == Approx(whole / 3));  // as of the squares
+    CHECK(last_of({4, 4, 1000}, {3.9, 3.9, 1000}) == Approx(whole / 3));
 }
 
 TEST_CASE("a rival of a lower rung is believed by the set that it makes with the rungs on top", "[gap][ladder]")

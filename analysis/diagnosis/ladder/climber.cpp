@@ -45,7 +45,7 @@ std::vector<Start> Climber::looks(const FittedSet& below)
         ++causes;
         looks.push_back({below.causes, single.effects[0], single.forms[0], singles_[i].x});
         looks.back().causes.records = single.records;
-        if (divides_mass(below.causes)) continue;
+        if (two_mass_edit(below.causes)) continue;
         for (auto& other : other_forms(below.causes, *single.effects[0], single.forms[0], single.records))
             looks.push_back(std::move(other));
     }

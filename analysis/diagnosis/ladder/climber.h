@@ -35,6 +35,11 @@ class Climber {
     /// The best few before they are judged.
     std::vector<Start> looks(const FittedSet& below);
 
+    /// A play between two known masses on top of each of these sets, where the misfit over its width has the deepest
+    /// dips. Alone it shows only beside nothing else: a slip that it is blamed for puts the link on the wrong flank,
+    /// and every width misses by more than none.
+    std::vector<Start> beside_hidden_play(const std::vector<FittedSet>& sets) const;
+
     /// Fitted to all rows and every fold, best first. Of a cause whose numbers came to their bounds the other forms,
     /// too.
     std::vector<FittedSet> judged(const std::vector<Start>& starts);

@@ -182,6 +182,10 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             for (auto& s : climber_->judged(known_sets(pairs, *fitter_, set))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
+        if (at_start && most_rungs > 1) {
+            for (auto& s : climber_->judged(climber_->beside_hidden_play(first_))) tried.push_back(std::move(s));
+            std::stable_sort(tried.begin(), tried.end(), best_first);
+        }
         const auto next = earning();
         const auto other = climber_->without_correction(set, tried);
         if (other && (next == tried.end() || other->misfit < next->misfit))

@@ -132,7 +132,7 @@ std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const 
 {
     if (ladder.rungs.size() < 2) return std::nullopt;
     const Candidate &all = ladder.last().causes, &below = ladder.rungs[ladder.rungs.size() - 2].causes;
-    if (divides_mass(all)) return std::nullopt;  // ten times as dear to climb
+    if (two_mass_edit(all)) return std::nullopt;  // ten times as dear to climb
     const auto is_new = [&](const Effect* e) { return std::ranges::count(below.effects, e) == 0; };
     // all of the rung or nothing of it
     if (std::ranges::any_of(all.effects, [&](const Effect* e) {

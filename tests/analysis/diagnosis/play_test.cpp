@@ -1,6 +1,7 @@
 // Backlash on a ladder of causes.
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/joint_edits.h"
+#include "analysis/diagnosis/ladder/fit_set.h"
 #include "tests/analysis/diagnosis/ladder_search.h"
 
 #include <catch2/catch.hpp>
@@ -42,4 +43,34 @@ TEST_CASE("a ladder looks for a play before the encoder, too, where it alone cam
             first += set.causes.count_of(*set.causes.forms[static_cast<std::size_t>(i)]);
         CHECK(si[first] == Approx(width).epsilon(0.05));
     }
+}
+
+TEST_CASE(
+    "beside the cause that hides a play, fitted without it, the misfit over the width has its dip at the right one",
+    "[gap][ladder]")
+{
+    Joint documented = test::nominal_joint();
+    divide_mass(documented, 0.4, 3e5, 0.3, 0.3);
+    Joint joint = documented;
+    const auto& level = std::get<CoulombViscous>(documented.frictions.motor.law);
+    joint.frictions.motor.law = Stribeck{level.coulomb, level.viscous, 1, 0.03};
+    joint.mechanism.transmission.backlash = width;
+    LadderRecords records(test::Machine{}, {});
+    for (auto& c : records.cases) c.joint = documented;
+    records.simulate(joint, {});
+    const HeldOutData data(records.cases);
+    const Corrections corrections(records.cases, records.scales, policy::correction_prior);
+    SetFitter fitter(data, records.scales, corrections, policy::physical_ranges);
+    fitter.renew();
+    FittedSet none;
+    none.model = corrections.beside({});
+    none.fit.x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(none.model.numbers));
+    const Attribution play = records.single("backlash:two-mass");
+    const Attribution peak = records.single("stribeck");
+    const FittedSet below = fitter.fit(peak.candidate, fitter.start(peak.candidate, none, peak.x[ladder_level]));
+    auto dips = fitter.dips(below, *play.candidate.effects[0], *play.candidate.forms[0], 1.15);
+    REQUIRE(!dips.empty());
+    std::ranges::stable_sort(dips, {}, &Start::objective);
+    const auto si = in_si(corrections.beside(dips[0].causes).candidate, dips[0].x0, records.scales);
+    CHECK(si.back() == Approx(width).epsilon(0.15));
 }

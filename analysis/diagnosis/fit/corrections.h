@@ -41,6 +41,8 @@ class Corrections {
     /// Which of the causes changes a number that a correction changes, or is a small term that is one, and is no larger
     /// than its prior allows, if one is: then it is that correction, held back by nothing.
     std::optional<std::size_t> one_of(const Candidate& causes, const Eigen::VectorXd& x) const;
+    /// Whether this form of a cause changes a number that a correction changes.
+    bool same_number(const Effect& effect, const EffectForm& form) const;
     /// How far a correction with numbers from `at` on is from the document, in standard deviations of its prior: of a
     /// wave its amplitude, wherever it lies.
     static double deviations(const Candidate& candidate, std::size_t correction, std::size_t at,
@@ -53,8 +55,6 @@ class Corrections {
                                  const Eigen::VectorXd& causes);
 
   private:
-    /// Whether this form of a cause changes a number that a correction changes.
-    bool same_number(const Effect& effect, const EffectForm& form) const;
     void add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*), bool own);
 
     std::deque<Effect> effects_;            // candidates point at them

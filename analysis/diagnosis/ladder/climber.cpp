@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/ladder/climber.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip::gap {
 namespace {
@@ -24,11 +25,19 @@ double least_gain(const FittedSet& with, const LadderRules& rules)
     return std::max(rules.worth_a_rung, margin_of(with, rules));
 }
 
+double part_taken(const FittedSet& without, const FittedSet& with)
+{
+    const auto part = [](double before, double after) { return before > 0 ? 1 - after / before : 0; };
+    const auto left = without.all_left(), now = with.all_left();
+    const double of_squares = part(beyond_noise(left), beyond_noise(now));
+    if (!jagged(with.causes)) return of_squares;
+    return std::max(of_squares, part(std::expm1(misfit(left)), std::expm1(misfit(now))));
+}
+
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
-    const double left = beyond_noise(without.all_left()), now = beyond_noise(with.all_left());
     return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > least_gain(with, rules) &&
-           left - now > rules.of_the_rest * left;
+           part_taken(without, with) > rules.of_the_rest;
 }
 
 std::vector<Start> Climber::looks(const FittedSet& below)

@@ -70,6 +70,11 @@ double margin_of(const FittedSet& better, const LadderRules& rules);
 /// By how much of misfit a set has to beat one of fewer numbers.
 double least_gain(const FittedSet& with, const LadderRules& rules);
 
+/// What part of what a set leaves beyond the noise a larger one takes: of the sum of squares, or, with a jagged cause,
+/// of their geometric mean over windows, if that is more. Where a joint falls on the wrong flank of its backlash a few
+/// windows are lost whatever the numbers, and hold most of the squares.
+double part_taken(const FittedSet& without, const FittedSet& with);
+
 /// Whether the causes beyond those of `without` earn their place.
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules);
 

@@ -56,7 +56,7 @@ inline constexpr LadderRules ladder{
     .first_look = 40,        // causes
     .finalists = 5,          // causes; in 33 of 37 dirty cases the right one was first even without corrections
     .worth_a_rung = 0.02,    // of held-out mean log square: a hundredth of the RMS
-    .of_the_rest = 0.15,     // of the remaining squares; an imperfect form of another cause leaves less
+    .of_the_rest = 0.15,     // `part_taken` of what remains; an imperfect form of another cause leaves less
     .lost_in_a_fold = 0.25,  // of its gain; a limit that one step reaches does nothing elsewhere (one case)
     .margin = 0.14,          // of held-out mean log square, i.e. 7 % of the RMS; closer rivals differ by model error
     .rows_of_margin = 60,    // four readings of 15 rows each, see rows_per_reading
@@ -109,16 +109,17 @@ inline constexpr double doubt_of_rest = 0.22;
 /// are off, right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside
 /// the published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
-/// Multiple of what a ladder leaves, of the squares or of their geometric mean over windows, that its last of several
-/// rungs must take to keep its chance, which falls in proportion below. Reason: where more remains than the rung takes,
-/// what it takes may be a part of what remains, which has another cause. Definition: as much as it leaves. Seen in two
-/// dirty blind cases: a delay of a third of a sample that took 0.7 of what it left, a sag that took half of it, both
-/// wrong; three right ones took 29 to 85 times as much, a backlash 0.6 of the squares and three times as much in the
-/// geometric mean. It does not catch all: two wrong ones took 4 and 22 times.
+/// Multiple of what a ladder leaves that its last of several rungs must take (`part_taken`) to keep its chance, which
+/// falls in proportion below. Reason: where more remains than the rung takes, what it takes may be a part of what
+/// remains, which has another cause. Definition: as much as it leaves. Seen in two dirty blind cases: a delay of a
+/// third of a sample that took 0.7 of what it left, a sag that took half of it, both wrong; three right ones took 29 to
+/// 85 times as much, a right backlash 0.6 of the squares and three times as much in the geometric mean. It does not
+/// catch all: two wrong ones took 4 and 22 times.
 inline constexpr double taken_of_rest = 1;
 /// Part of the squares that the corrections, or the causes above, take. A last rung that is a small term of every
 /// machine (`small_term`) and takes less is not named; if no rung is left, the wrong parameters are the answer. The
-/// same part of a controller finding's share decides whether a cause in the mechanism is named with it. Reason: a
+/// same part of a controller finding's share decides whether a cause in the mechanism is named with it, unless that is
+/// a documented number beyond `widest` beside which only noise remains. Reason: a
 /// ripple or an uneven winding that moves the joint by less than half as much is not what the gap comes from; of any
 /// other cause the share says nothing, because it depends on how far the joint file is off. Evidence: in a joint whose
 /// four documented parameters were 2-9 % off and nothing else, a cogging of 1.7 % of the Coulomb level took 8 % of the

@@ -40,7 +40,7 @@ struct LadderRules {
     std::size_t most_rungs;
     std::size_t first_look, finalists;  ///< causes that get a first look beside the corrections, and that go on
     double worth_a_rung;                ///< least fall of the held-out mean log square
-    double of_the_rest;                 ///< least part of the held-out squares that are left, which a rung takes
+    double of_the_rest;                 ///< least part of what is left held out that a rung takes, `part_taken`
     double lost_in_a_fold;              ///< part of what a rung gains, that it may lose in one fold
     double margin;                      ///< of held-out mean log square, where all that is left is model error
     double rows_of_margin;              ///< the same where all is noise, times rows

@@ -25,21 +25,14 @@ bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t
     return true;
 }
 
-/// What part of its chance the last of several rungs keeps beside what the ladder leaves. Of the sum of squares or of
-/// their geometric mean over windows: where a joint falls on the wrong flank of its backlash, or slips a moment later,
-/// a few windows are lost whatever the model, and hold most of the squares.
+/// What part of its chance the last of several rungs keeps beside what the ladder leaves.
 double part_kept(const JudgedLadder& j)
 {
-    const auto& left = j.shares.rungs;
-    if (j.noise_left || left.size() < 2) return 1;
-    const auto kept = [](double before, double after) {
-        const double taken = std::max(0.0, before - after), enough = policy::taken_of_rest * after;
-        return taken < enough ? taken / enough : 1;
-    };
-    const auto beyond_noise_in_most = [](const FittedSet& rung) { return std::expm1(misfit(rung.all_left())); };
     const auto& rungs = j.ladder.rungs;
-    return std::max(kept(left[left.size() - 2], left.back()),
-                    kept(beyond_noise_in_most(rungs[rungs.size() - 2]), beyond_noise_in_most(rungs.back())));
+    if (j.noise_left || rungs.size() < 2) return 1;
+    const double taken = std::max(0.0, part_taken(rungs[rungs.size() - 2], rungs.back())), left = 1 - taken;
+    const double enough = policy::taken_of_rest * left;
+    return taken < enough ? taken / enough : 1;
 }
 
 }  // namespace
@@ -106,6 +99,15 @@ bool frees_held_number(const Ladder& ladder)
                 return Corrections::at_its_bound(c, i, at, below.fit.x);
         return false;
     });
+}
+
+bool only_stated_numbers(const Ladder& ladder)
+{
+    if (!ladder.corrections || ladder.rungs.empty()) return false;
+    const Candidate& causes = ladder.last().causes;
+    for (std::size_t i = 0; i < causes.effects.size(); ++i)
+        if (!ladder.corrections->same_number(*causes.effects[i], *causes.forms[i])) return false;
+    return true;
 }
 
 namespace {

@@ -184,7 +184,23 @@ SignalSquares simulated_squares(const Case& c, const std::vector<double>& measur
     return s;
 }
 
+/// A mean square of the readings' error, in the position and, as k_p passes it on, in the command.
+void raise_floor_of_readings(const Case& c, const Joint& joint, double reading, std::vector<SignalSquares>& squares)
+{
+    const double passed_on = command_unit(c.joint).factor * joint.control.k_p;
+    for (auto& s : squares) {
+        if (s.signal == "position") s.floor = std::max(s.floor, reading);
+        if (s.signal == "effort_command") s.floor = std::max(s.floor, passed_on * passed_on * reading);
+    }
+}
+
 }  // namespace
+
+void raise_floor_to_steps(const Case& c, const Joint& joint, std::vector<SignalSquares>& squares)
+{
+    constexpr double of_uniform = 1.0 / 12;  // variance of an error that is uniform over one step
+    raise_floor_of_readings(c, joint, 2 * of_uniform * std::pow(joint.sensor.encoder_quantum, 2), squares);
+}
 
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
 {
@@ -213,11 +229,7 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     // the noise of a reading is there, simulated or not, and k_p passes it on; it is that of the sensor in question:
     // the steps of a coarser encoder are a gap. Where no noise is documented, nothing below those steps is known
     const double sigma = c.noise_documented ? reading_sigma(joint.sensor, span_of(t.position)) : c.sigma;
-    const double reading = 2 * sigma * sigma * 0.25, passed_on = command.factor * joint.control.k_p;
-    for (auto& s : squares) {
-        if (s.signal == "position") s.floor = std::max(s.floor, reading);
-        if (s.signal == "effort_command") s.floor = std::max(s.floor, passed_on * passed_on * reading);
-    }
+    raise_floor_of_readings(c, joint, 2 * sigma * sigma * 0.25, squares);
     if (first && !traces.empty()) *first = std::move(traces[0]);
     return squares;
 }

@@ -45,4 +45,8 @@ CommandUnit command_unit(const Joint& joint);
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to,
                                    Trace* first = nullptr);
 
+/// Floors of what `compare` gave no lower than two readings of this joint's encoder differ whose errors are uniform
+/// over its step (Widrow and Kollar 2008).
+void raise_floor_to_steps(const Case& c, const Joint& joint, std::vector<SignalSquares>& squares);
+
 }  // namespace stickslip::gap

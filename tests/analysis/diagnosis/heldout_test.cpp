@@ -6,6 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <random>
+
 using namespace stickslip;
 using namespace stickslip::gap;
 
@@ -66,6 +69,28 @@ TEST_CASE("floors are of the joint in question: the steps of a coarser encoder t
     CHECK(floor_of(audited) >= 0.5 * steps);
     c.noise_documented = false;  // below its steps nothing is known of the joint, documented or audited
     CHECK(floor_of(documented) >= 0.5 * steps);
+}
+
+TEST_CASE("readings of two joints apart by any part of a step differ by as much as the floor of its steps", "[gap]")
+{
+    std::vector<Note> notes;
+    const Case c = prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes);
+    Joint joint = c.joint;
+    const double step = joint.sensor.encoder_quantum = 1e-3;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(0, 100 * step);
+    const auto error = [&](double x) { return step * std::round(x / step) - x; };
+    constexpr int draws = 20000;
+    double square = 0;
+    for (int i = 0; i < draws; ++i) square += std::pow(error(anywhere(random)) - error(anywhere(random)), 2) / draws;
+    std::vector<SignalSquares> squares(2);
+    squares[0].signal = "position", squares[1].signal = "effort_command";
+    raise_floor_to_steps(c, joint, squares);
+    CHECK(squares[0].floor == Approx(square).epsilon(0.03));
+    CHECK(squares[1].floor == Approx(std::pow(joint.control.k_p, 2) * square).epsilon(0.03));
+    squares[0].floor = 1;
+    raise_floor_to_steps(c, joint, squares);
+    CHECK(squares[0].floor == 1);
 }
 
 TEST_CASE("a nominal simulation that is unstable at its rate is no noise floor", "[gap]")

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tried as two rungs
 
+constexpr std::ptrdiff_t most_returns = 1;  // of a climb to causes that it came to before
+
 /// Against a floor as high as the whole gap the prior weighs too much. What the first fit leaves is a lower floor,
 /// which lets the next one go further, until both agree.
 constexpr int most_rounds_of_floor = 5;
@@ -168,6 +170,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
     FittedSet set = corrected_;
     const auto best_first = [](const auto& a, const auto& b) { return a.misfit < b.misfit; };
     const std::size_t most_rounds = 2 * most_rungs;  // an exchange may come back to where it was
+    std::vector<std::vector<const Effect*>> ends;    // of rounds
     for (std::size_t round = 0; round < most_rounds && set.causes.effects.size() < most_rungs; ++round) {
         const bool at_start = set.causes.effects.empty();
         if (!at_start && only_noise && only_noise(set)) break;
@@ -195,6 +198,9 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         else
             break;
         set = with_an_exchange(climber_->in_parts(without_idle(std::move(set))));
+        // a second search may lead further down a jagged misfit; what ends there again and again earns nothing on top
+        if (std::ranges::count(ends, set.causes.effects) >= most_returns) break;
+        ends.push_back(set.causes.effects);
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
     return set;

@@ -9,7 +9,6 @@
 #include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
-#include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/report_findings.h"
@@ -18,6 +17,7 @@
 #include "analysis/diagnosis/verdict/controller_cause.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
 #include "analysis/diagnosis/verdict/locate_stages.h"
+#include "analysis/diagnosis/verdict/long_records.h"
 #include "analysis/diagnosis/verdict/reject.h"
 #include "analysis/diagnosis/verdict/report_ladder.h"
 
@@ -76,10 +76,9 @@ std::vector<Record> usable_pieces(const Joint& joint, const std::vector<Record>&
 }
 
 /// Records as cases, with the joint that the audit leaves; scales and the nominal joint's misfit are not yet known.
-Prepared audited(const Joint& joint, const std::vector<Record>& usable, Diagnosis& d)
+Prepared audited(const Joint& joint, std::vector<Record> records, Diagnosis& d)
 {
     Prepared p;
-    std::vector<Record> records = usable;
     const EffortDrive drive = drive_by_effort(records, joint, d.notes);
     for (const Record& r : records) {
         p.cases.push_back(prepare(r, joint, d.notes));
@@ -119,7 +118,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         f.within_noise || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
     const Attribution& winner = !f.named() ? f.none : f.by_ladder ? f.judged.winner : *ranked.front().attribution;
     const bool audit_alone = winner.candidate.effects.empty();
-    const auto held = hold_out(p.fit(parallel), p.documented, shown ? winner : f.none, runs);
+    const auto held = held_out(p, parallel, shown ? winner : f.none, runs);
     d.gap = held.signals;
     d.overall = held.overall;
     d.traces = held.traces;
@@ -141,7 +140,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (wrong_controller && !p.cases[0].controller_error.empty()) {
         audited = share_of_controller(d.signals) * p.audit.findings[0].gain;
     } else if (wrong_controller) {
-        const auto alone = audit_alone ? held : hold_out(p.fit(parallel), p.documented, f.none, runs);
+        const auto alone = audit_alone ? held : held_out(p, parallel, f.none, runs);
         audited = std::clamp(alone.overall.explained, 0.0, 1.0);
     }
     report_ladder(p, f, audited, d);
@@ -168,10 +167,10 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
 {
     Diagnosis& d = result.diagnosis;
     progress(DiagnosisStage::reading, 0);
-    const auto usable = usable_pieces(joint, records, d);
+    auto usable = usable_pieces(joint, records, d);
     if (usable.empty()) return;
     progress(DiagnosisStage::auditing_controller, 0.02);
-    Prepared prepared = audited(joint, usable, d);
+    Prepared prepared = audited(joint, std::move(usable), d);
     if (auto suspicion = another_joint(prepared.audit)) {
         d.reasons.push_back(*suspicion);
         return;
@@ -179,9 +178,10 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     settle_jumps(prepared.cases, {}, {});
     prepared.scales = scales_of(prepared.cases);
     d.usual_speed = prepared.scales.velocity;
-    prepared.nominal = judge_nominal(prepared.cases);
     d.signals = locate_signals(prepared.cases, prepared.documented);
     d.regimes = locate_regimes(prepared.cases);
+    take_stretches(prepared, d);
+    prepared.nominal = judge_nominal(prepared.cases);
     Findings findings;
     try {
         find_causes(prepared, options.pair_partners, options.ensemble, progress, parallel, findings);

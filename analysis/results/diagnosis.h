@@ -167,6 +167,18 @@ struct RecordRole {
     std::string file, role;  ///< held-out: every record is, in its turn
 };
 
+/// A part of a long record that fits used.
+struct FittedStretch {
+    std::string file;
+    double from = 0, to = 0;  ///< s
+};
+
+/// Which rows of long records were fitted: the others are the held-out data. No stretches: all rows in their turn.
+struct FittedRows {
+    std::vector<FittedStretch> stretches;
+    double fitted = 0, all = 0;  ///< rows
+};
+
 /// Traces of one record for the page: measured, and simulated before and after.
 struct DiagnosedTrace {
     std::string file;
@@ -184,6 +196,7 @@ struct Diagnosis {
     std::vector<Note> reasons;
     bool interrupted = false;  ///< on request: what was found until then stands here
     std::vector<RecordRole> records;
+    FittedRows rows;
     std::vector<Share> signals, regimes;
     std::vector<Cause> effects;
     std::vector<std::vector<std::string>> ambiguous_with;

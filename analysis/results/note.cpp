@@ -33,6 +33,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::noise_of_noisiest, "noise-of-noisiest"},
     {Code::held_out_in_turn, "held-out-in-turn"},
     {Code::thirds_in_turn, "thirds-in-turn"},
+    {Code::rest_held_out, "rest-held-out"},
     {Code::cause_almost_alone, "cause-almost-alone"},
     {Code::another_joint, "another-joint"},
     {Code::command_unknown, "command-unknown"},

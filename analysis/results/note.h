@@ -40,6 +40,7 @@ struct Note {
         // how data are held out
         held_out_in_turn,    ///< every record
         thirds_in_turn,      ///< of the only record
+        rest_held_out,       ///< of long records; values: rows that were fitted, all rows, stretches that hold them
         cause_almost_alone,  ///< shown by this record: its thirds are held out
         // the audit of the controller
         another_joint,          ///< names and values: numbers that differ from the document; nothing was concluded

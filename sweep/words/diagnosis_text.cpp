@@ -43,8 +43,7 @@ constexpr Sentence sentences[] = {
      "takes no part"},
     {Code::another_controller,
      "the documented controller does not make the measured effort: with any gains it leaves {share0} of its squares, a "
-     "PID "
-     "with k_p = {2:.4g}, k_v = {3:.4g}, k_i = {4:.4g} leaves {share1}. The measured effort drives the simulated "
+     "PID with k_p = {2:.4g}, k_v = {3:.4g}, k_i = {4:.4g} leaves {share1}. The measured effort drives the simulated "
      "joint"},
     {Code::no_such_controller,
      "another controller than the documented one made the measured effort ({share0} of its squares remain at any "
@@ -68,6 +67,7 @@ constexpr Sentence sentences[] = {
      "little noise shows behind the steps of the encoder; the noise floor is that of the noisiest record"},
     {Code::held_out_in_turn, "every record is held out in turn and predicted from a fit to the others"},
     {Code::thirds_in_turn, "one record: its three thirds are held out in turn"},
+    {Code::rest_held_out, "{0:.0f} of {1:.0f} rows are fitted, in {2:.0f} stretches; the gap is that of all others"},
     {Code::cause_almost_alone, "shows the cause almost alone; its thirds are held out in turn"},
     {Code::another_joint,
      "suspected record of another joint: encoder and controller differ from the joint file in {count} ways "

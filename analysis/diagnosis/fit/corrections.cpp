@@ -90,7 +90,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
             number(Quantity::effort, Scale::load_effort, false,
                    prior.gravity * gravity / unit_of(Scale::load_effort, scales), "change of the gravity amplitude"),
             [](Joint& to, const double* p) { to.load.gravity_amplitude += p[0]; }, false);
-    if (records_ > 1)
+    if (records_ > 1 && prior.coulomb_of_record > 0)
         add(
             of_record,
             number(Quantity::effort, Scale::effort, false, prior.coulomb_of_record * level,

@@ -205,7 +205,9 @@ void raise_floor_to_steps(const Case& c, const Joint& joint, std::vector<SignalS
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
 {
     const Ticks& t = c.ticks;
-    const Inside inside = [&](std::size_t k) { return t.logged[k] && t.time[k] >= from && t.time[k] < to; };
+    const Inside inside = [&](std::size_t k) {
+        return t.logged[k] && t.time[k] >= from && t.time[k] < to && (t.judged.empty() || t.judged[k] != 0);
+    };
     if (!t.has_reference) return predicted_squares(c, joint, inside, first);
     const Plant plant = flatten(joint);
     std::vector<Trace> traces;

@@ -40,7 +40,8 @@ struct CommandUnit {
 };
 CommandUnit command_unit(const Joint& joint);
 
-/// One entry a logged signal (position, command, effort). Rows outside [from, to) are left out. Without a reference the
+/// One entry a logged signal (position, command, effort). Rows outside [from, to) are left out, and those that are
+/// marked as not judged. Without a reference the
 /// slow observer's prediction stands in for the closed loop, and the names say so.
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to,
                                    Trace* first = nullptr);

@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t level = 1;  // the middle horizon: its parameters serve closed-loop runs best
 
-struct FoldResult {
-    std::vector<SignalSquares> before, after;
-    Trace trace_before, trace_after;
-};
-
 /// Mean squares before, after, of the floor and of the floor with the cause.
 using Squares = std::array<double, 4>;
 
@@ -142,7 +137,8 @@ Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& s
     return edited(c.joint, found.candidate, problem.si(refit.x), c.number);
 }
 
-/// The gap of every signal over all folds, and the interval of the folds one by one.
+}  // namespace
+
 void add_gaps(const std::vector<FoldResult>& results, HeldOut& held)
 {
     std::map<std::string, Squares> all;
@@ -180,7 +176,6 @@ void add_gaps(const std::vector<FoldResult>& results, HeldOut& held)
                              *std::max_element(parts.begin(), parts.end())};
 }
 
-/// A record and its runs before and after, thinned to what a chart can show.
 DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& after)
 {
     const Ticks& t = shown.ticks;
@@ -214,8 +209,6 @@ DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& aft
     }
     return trace;
 }
-
-}  // namespace
 
 HeldOut hold_out(const Fit& fit, const std::vector<Joint>& documented, const Attribution& found, int runs)
 {

@@ -28,6 +28,16 @@ struct HeldOut {
     std::vector<Note> notes;  ///< which records were held out in thirds
 };
 
+/// Mean squares of the signals in one held-out part, and its first run, before and after.
+struct FoldResult {
+    std::vector<SignalSquares> before, after;
+    Trace trace_before, trace_after;
+};
+/// The gap of every signal over all held-out parts, and the interval of the parts one by one.
+void add_gaps(const std::vector<FoldResult>& results, HeldOut& held);
+/// A record and its runs before and after, thinned to what a chart can show.
+DiagnosedTrace trace_of(const Case& shown, const Trace& before, const Trace& after);
+
 /// Refits the candidate without each fold (an empty candidate needs no fit), simulates the closed loop there before and
 /// after, and compares. `documented` holds the joints before the audit.
 HeldOut hold_out(const Fit& fit, const std::vector<Joint>& documented, const Attribution& found, int runs);

@@ -45,6 +45,7 @@ Trace simulate_closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t
         seed != 0 && sensor.encoder_quantum > 0 ? sensor.encoder_quantum * (SeededNoise(~seed).uniform() - 0.5) : 0;
     mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks), within_step);
     Controller controller(plant);
+    controller.restart(ticks.initial_integral);
     for (std::size_t k = 0; k < n; ++k) {
         double reading = mechanics.reading()[0];
         if (seed != 0) reading += sensor.position_noise * off;

@@ -5,14 +5,15 @@
 #include <cstdio>
 
 namespace stickslip::gap {
-namespace {
 
-std::string seconds(double t)
+std::string name_of_part(const std::string& record, double begins)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g s", t);
-    return text;
+    char text[48];
+    std::snprintf(text, sizeof text, " from %.6g s", begins);
+    return record + text;
 }
+
+namespace {
 
 Record part(const Record& whole, std::size_t from, std::size_t to)
 {
@@ -24,7 +25,7 @@ Record part(const Record& whole, std::size_t from, std::size_t to)
         if (!column->empty())
             *column = {column->begin() + static_cast<std::ptrdiff_t>(from),
                        column->begin() + static_cast<std::ptrdiff_t>(to)};
-    r.name = whole.name + " from " + seconds(whole.time[from]);
+    r.name = name_of_part(whole.name, whole.time[from]);
     if (from > 0) r.at_rest_at_start.reset();
     return r;
 }

@@ -1,4 +1,3 @@
-// In one file: a record on the clock of its controller, and the halves of its ticks.
 #include "analysis/diagnosis/records/ticks.h"
 
 #include "analysis/diagnosis/records/between_rows.h"
@@ -69,28 +68,6 @@ void interpolate_halves(Ticks& t)
     for (std::size_t k = 0; k < t.size(); k += 2) rows.push_back(t.position[k]);
     for (std::size_t k = 0; k + 1 < rows.size(); ++k) t.position[2 * k + 1] = between(rows, k, 0.5);
     t.rebuilt = false;
-}
-
-Ticks first_ticks(const Ticks& ticks, std::size_t count)
-{
-    Ticks t;
-    t.source = ticks.source, t.ticks_per_row = ticks.ticks_per_row;
-    t.regular = ticks.regular, t.lost = ticks.lost, t.rebuilt = ticks.rebuilt;
-    t.reference_rebuilt = ticks.reference_rebuilt;
-    t.has_velocity = ticks.has_velocity, t.has_effort = ticks.has_effort, t.has_reference = ticks.has_reference;
-    t.at_rest = ticks.at_rest, t.initial_velocity = ticks.initial_velocity;
-    const auto end = static_cast<std::ptrdiff_t>(std::min(count, ticks.size()));
-    const auto take = [&](auto& to, const auto& from) {
-        if (!from.empty()) to.assign(from.begin(), from.begin() + end);
-    };
-    take(t.time, ticks.time), take(t.step, ticks.step);
-    take(t.reference, ticks.reference), take(t.reference_rate, ticks.reference_rate);
-    take(t.position, ticks.position), take(t.velocity, ticks.velocity);
-    take(t.command, ticks.command), take(t.effort, ticks.effort), take(t.supply, ticks.supply);
-    take(t.feed_forward, ticks.feed_forward), take(t.load, ticks.load), take(t.inertia, ticks.inertia);
-    take(t.load_error, ticks.load_error);
-    take(t.enabled, ticks.enabled), take(t.logged, ticks.logged), take(t.judged, ticks.judged);
-    return t;
 }
 
 double velocity_at_start(const Ticks& t)

@@ -175,6 +175,9 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
                  const ParallelFor& parallel, Findings& f)
 {
     const Fit fit = p.fit(parallel);
+    LadderRules rules = policy::ladder;
+    // stretches of one record have one Coulomb level
+    if (p.whole.size() == 1) rules.prior.coulomb_of_record = 0;
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
     progress(DiagnosisStage::measuring_floor, 0.05);
@@ -188,7 +191,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
     if (!accepted(f.decision)) {
         progress(DiagnosisStage::correcting_numbers, 0.4);
-        LadderSearch search(fit, f.singles, policy::ladder);
+        LadderSearch search(fit, f.singles, rules);
         const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
         f.judged.ladder = search.climb({}, 1);
         judge(f.judged, search.data(), fit);
@@ -205,7 +208,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
             if (!accepted(f.decision)) {
                 progress(DiagnosisStage::climbing_ladder, 0.75);
                 f.judged = {};
-                f.judged.ladder = search.climb(f.pairs, policy::ladder.most_rungs, only_noise);
+                f.judged.ladder = search.climb(f.pairs, rules.most_rungs, only_noise);
                 judge(f.judged, search.data(), fit);
             }
         }
@@ -217,7 +220,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         const std::vector<Attribution> none;
-        LadderSearch search(fit, none, policy::ladder);
+        LadderSearch search(fit, none, rules);
         if (document_suffices(search, fit, p.documented, runs, f)) return;
         f.by_ladder = false;
         hold_against_free_forces(fit, progress, f);

@@ -1,6 +1,7 @@
 // What a diagnosis gathers on its way: records made ready, then the causes that were found in them.
 #pragma once
 #include "analysis/diagnosis/audit/audit.h"
+#include "analysis/diagnosis/audit/stretches.h"
 #include "analysis/diagnosis/search/free_force.h"
 #include "analysis/diagnosis/verdict/decide.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"
@@ -13,8 +14,10 @@ namespace stickslip::gap {
 
 /// Records as the fits take them, and the joint that the document describes held against them.
 struct Prepared {
-    std::vector<Case> cases;        ///< each with the joint that the audit left
-    std::vector<Joint> documented;  ///< of each record, before the audit
+    std::vector<Case> cases;           ///< each with the joint that the audit left; of long records stretches
+    std::vector<Joint> documented;     ///< of each case, before the audit
+    std::vector<Case> whole;           ///< the records where `cases` are stretches of them; else none
+    std::vector<StretchOf> stretches;  ///< of each case, then
     Audit audit;
     Scales scales;
     Nominal nominal;

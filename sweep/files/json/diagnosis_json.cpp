@@ -113,6 +113,15 @@ Json set_json(const CauseSet& set)
             {"population", set.population}};
 }
 
+/// Of long records: which rows were fitted.
+Json rows_json(const FittedRows& rows)
+{
+    Json stretches = Json::array();
+    for (const auto& s : rows.stretches)
+        stretches.push_back({{"file", s.file}, {"from", json_number(s.from)}, {"to", json_number(s.to)}});
+    return {{"fitted", rows.fitted}, {"all", rows.all}, {"stretches", stretches}};
+}
+
 /// Sentences for people, and beside each its code for programs.
 void add_notes(Json& json, const char* sentences, const char* codes, const std::vector<Note>& notes)
 {
@@ -147,6 +156,7 @@ Json diagnosis_json(const Diagnosis& d, const WindowsOfBoth& windows)
     add_notes(json, "reasons", "reason_codes", d.reasons);
     json["records"] = Json::array();
     for (const auto& r : d.records) json["records"].push_back({{"file", r.file}, {"role", r.role}});
+    if (!d.rows.stretches.empty()) json["rows"] = rows_json(d.rows);
     json["where"] = {{"signals", shares_json(d.signals)}, {"regimes", shares_json(d.regimes)}};
     json["effects"] = Json::array();
     for (const auto& c : d.effects) json["effects"].push_back(cause_json(c));

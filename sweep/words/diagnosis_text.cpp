@@ -144,7 +144,7 @@ constexpr Sentence sentences[] = {
      "times the noise floor away: these rows are too few or too far apart to determine the cause"},
     {Code::interrupted_early, "interrupted while {stages}: no result yet"},
     {Code::interrupted_located,
-     "interrupted while {stages}: the location of the gap was found, its cause was not; the fits so far are "
+     "interrupted while {stages}: the location of the gap was found, its cause was not; fits that were finished are "
      "listed"},
     {Code::rig,
      "a friction rig: a load point's displacement and the friction; the stiffness between load point and slider and "

@@ -12,9 +12,14 @@ namespace stickslip {
 void check_sense(const Joint& joint, const Requirements& r)
 {
     const auto refuse = [](const std::string& text) { throw std::invalid_argument(text); };
-    if (!(r.noise.position > 0) && !(r.noise.velocity > 0))
-        refuse("position_noise: neither it nor velocity_noise is set, and without noise every gain is equally good");
-    if (!(r.noise.period > 0)) refuse("sample_time: is not set; noise of samples needs the time between them");
+    const bool silent = !(r.noise.position > 0) && !(r.noise.velocity > 0), timeless = !(r.noise.period > 0);
+    const std::string why_noise = "without noise every gain is equally good",
+                      why_time = "noise of samples needs the time between them";
+    if (silent && timeless)  // all that is missing at once
+        refuse("position_noise (or velocity_noise) and requirements.sample_time: are not set; " + why_noise + ", and " +
+               why_time);
+    if (silent) refuse("position_noise: neither it nor velocity_noise is set, and " + why_noise);
+    if (timeless) refuse("sample_time: is not set; " + why_time);
     if (joint.control.structure == Structure::cascade)
         refuse(
             "gains: design turns k_p and k_v, a cascade has neither alone; describe it by its sum of gains with "

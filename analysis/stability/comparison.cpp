@@ -165,6 +165,8 @@ GainMix optimal_mix(const Joint& given, double velocity_noise)
         if (m.noise < best.noise || (std::isnan(best.noise) && !std::isnan(m.noise))) best = m, at = i;
     }
     if (std::isnan(best.noise)) return best;
+    // the least k_v that is looked at needs no position gain: the noise goes to nothing with the gains
+    if (at <= 1 && best.k_p == 0) return {0, 0, 0};
     const double low = k_v[at == 0 ? 0 : at - 1], high = k_v[std::min(at + 1, k_v.size() - 1)];
     quieter(mix(maximiser(
         [&](double v) {

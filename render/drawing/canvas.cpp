@@ -25,10 +25,12 @@ int Canvas::width() const
 void Canvas::line(const Polyline& points, const Pen& pen)
 {
     if (points.size() < 2) return;
-    if (!pen.dash.empty()) return stretches(dashes(points, pen.dash), pen);
+    if (shows_dashes(points, pen.dash)) return stretches(dashes(points, pen.dash), pen);
     device_->use(pen);
-    auto list = device_->coordinates(points);
-    device_->context->DrawPoly(list.data(), static_cast<int>(points.size()));
+    for (const Polyline& piece : strokes(points)) {
+        auto list = device_->coordinates(piece);
+        device_->context->DrawPoly(list.data(), static_cast<int>(piece.size()));
+    }
 }
 
 void Canvas::stretches(const std::vector<Point>& ends, const Pen& pen)

@@ -119,6 +119,29 @@ Polyline thin(const Polyline& line, double tolerance)
     return straightened(columns ? column_extremes(line, 0.5) : line, tolerance);
 }
 
+bool shows_dashes(const Polyline& line, const std::vector<double>& pattern)
+{
+    constexpr double most = 5000;  // dashes; a page is some hundred long
+    double length = 0, period = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    for (const double part : pattern) period += part;
+    return period > 0 && length < most * period;
+}
+
+std::vector<Polyline> strokes(const Polyline& line)
+{
+    constexpr std::size_t few = 1500, short_piece = 400;
+    if (line.size() <= few || runs_left_to_right(line)) return {line};
+    std::vector<Polyline> pieces;
+    for (std::size_t from = 0; from + 1 < line.size(); from += short_piece) {
+        const std::size_t end = std::min(from + short_piece + 1, line.size());  // a piece begins where the last ends
+        pieces.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(from),
+                            line.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    return pieces;
+}
+
 std::vector<Point> dashes(const Polyline& line, const std::vector<double>& pattern)
 {
     std::vector<Point> ends;

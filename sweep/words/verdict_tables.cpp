@@ -52,6 +52,11 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     return table;
 }
 
+std::string rest_text(const NonlinearVerdict& v)
+{
+    return v.velocity_min * v.velocity_max < 0 ? "sticking or moving backwards" : "sticking";
+}
+
 Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
 {
     const Units units = units_of(joint);
@@ -81,7 +86,8 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     add(jitters ? "least velocity" : "least velocity of the cycle", v.velocity_min, Quantity::velocity);
     add(jitters ? "peak velocity" : "peak velocity of the cycle", v.velocity_max, Quantity::velocity);
     add("period", v.period, Quantity::time);
-    if (!jitters) add("share of the period spent sticking", v.stick_fraction, Quantity::number);
+    const auto resting = "share of the period spent " + rest_text(v);
+    if (!jitters) add(resting.c_str(), v.stick_fraction, Quantity::number);
     add("overshoot, per steady deflection", v.overshoot, Quantity::number);
     if (!v.multipliers.empty()) add("largest Floquet multiplier", std::abs(v.multipliers.front()), Quantity::number);
     if (v.criticality == Criticality::subcritical)

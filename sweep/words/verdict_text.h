@@ -18,6 +18,9 @@ Table linear_table(const Joint& joint, const LinearVerdict& verdict);
 /// Every number of the nonlinear verdict with its unit.
 Table nonlinear_table(const Joint& joint, const NonlinearVerdict& verdict);
 
+/// What a cycle does for the share of its period that is `stick_fraction`: a motion backwards is no rest.
+std::string rest_text(const NonlinearVerdict& verdict);
+
 /// Why a row has no verdict, in words.
 std::string reason_text(Reason reason);
 

@@ -5,6 +5,7 @@
 #include "analysis/boundary/kinds/coexistence.h"
 #include "analysis/boundary/kinds/fold.h"
 #include "analysis/boundary/kinds/fold_by_sides.h"
+#include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/kinds/outcome.h"
 #include "analysis/boundary/kinds/ray.h"
 #include "analysis/boundary/trace/chart.h"
@@ -48,6 +49,8 @@ int scan_of(BoundaryKind kind, const Axis& axis)
     return std::max(default_scan(kind), enough);
 }
 
+constexpr double followed_by_sides = 1e-6;  ///< precision of linear curves that counts of roots bracket
+
 /// The least velocity is looked for with the velocity commanded as such.
 Joint prepared(Joint joint, BoundaryKind kind)
 {
@@ -79,7 +82,7 @@ Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const Boundar
 {
     constexpr std::size_t together = 16;
     Sides sides;
-    sides.continuous = is_linear(request.kind);
+    sides.continuous = is_linear(request.kind) && !is_told_by_count(joint, request.kind);
     sides.precision = request.precision;
     sides.at = [&, own = std::make_shared<JointOnChart>(joint, x, y)](double u, double v) {
         return own->side(u, v, request);
@@ -190,10 +193,9 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
     const auto finite = [](double side) { return std::isfinite(side) ? side : missing; };
     switch (request.kind) {
         case BoundaryKind::velocity_only:
-            return finite(instability(joint, Curve::Kind::velocity_only));
         case BoundaryKind::state_variable:
         case BoundaryKind::v_min:
-            return finite(instability(joint, Curve::Kind::state_variable));
+            return finite(linear_side(joint, request.kind));
         case BoundaryKind::outcome:
             return as_one_task(request, [&] { return outcome_side(joint, request.disturbance); });
         case BoundaryKind::hunting:
@@ -241,7 +243,9 @@ FollowedBoundary follow_boundaries(const Joint& given, const Axis& x, const Axis
     const Joint joint = prepared(given, requested.kind);
     Joint probe = joint;
     number_at(probe, x.path), number_at(probe, y.path);
-    const auto request = completed(requested, joint, {x, y});
+    auto request = completed(requested, joint, {x, y});
+    // nearer to it the side of a point is that of a located root
+    if (!is_set(requested.precision) && is_told_by_count(joint, request.kind)) request.precision = followed_by_sides;
     if (request.kind == BoundaryKind::v_min && y.path != "control.V0")
         throw std::invalid_argument("the least velocity is followed over control.V0 as the y axis, got " + y.path);
     if (request.kind == BoundaryKind::fold) return follow_folds(joint, x, y, request);

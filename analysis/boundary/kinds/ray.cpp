@@ -1,9 +1,11 @@
 #include "analysis/boundary/kinds/ray.h"
 
 #include "analysis/boundary/kinds/boundary.h"
+#include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/kinds/outcome.h"
 #include "analysis/boundary/trace/climb.h"
 #include "analysis/boundary/trace/follow.h"
+#include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/joint.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/numerics/root.h"
@@ -53,15 +55,37 @@ class Ray {
     }
 
   private:
-    static constexpr double single_value = 1e-9;  ///< of the distance between nodes: as wide as a number to a user
+    static constexpr double single_value = 1e-9;      ///< of the distance between nodes: as wide as a number to a user
+    static constexpr double by_growth_within = 1e-4;  ///< relative width of a bracket
 
     bool neutral_at(std::size_t node) const { return is_linear(request_.kind) && sides_[node] == 0; }
 
-    double side(double value)
+    Joint joint_at(double value) const
     {
         Joint joint = joint_;
         number_at(joint, ray_.axis.path) = value;
-        return side_of(joint, request_);
+        return joint;
+    }
+
+    double side(double value) const { return side_of(joint_at(value), request_); }
+    double growth(double value) const { return instability(joint_at(value), theory_of(request_.kind)); }
+
+    /// By sides, which a count of roots tells, to where growth rates take fewer steps than halving and a count resolves
+    /// the sides no longer. False where the growth rates of the ends do not show them: then sides go on.
+    bool narrow(double& a, double& fa, double& b, double& fb)
+    {
+        const double width = std::max(by_growth_within, request_.precision);
+        while (std::abs(b - a) > std::max(width * std::max(std::abs(a), std::abs(b)), unit_.least_width())) {
+            const double middle = 0.5 * (a + b), f = side(middle);
+            ++ray_.evaluations;
+            if (std::isnan(f)) return false;
+            ((f < 0) == (fa < 0) ? a : b) = middle;
+        }
+        const double ga = growth(a), gb = growth(b);
+        ray_.evaluations += 2;
+        if (!std::isfinite(ga) || !std::isfinite(gb) || (ga < 0) != (fa < 0) || (gb < 0) != (fb < 0)) return false;
+        fa = ga, fb = gb;
+        return true;
     }
 
     Reason reason_of_first() const
@@ -87,8 +111,9 @@ class Ray {
     void bracket(double a, double fa, double b, double fb)
     {
         if (std::isnan(fa) || std::isnan(fb) || (fa < 0) == (fb < 0)) return;
-        auto root =
-            bracketed_root([&](double v) { return side(v); }, a, fa, b, fb, request_.precision, unit_.least_width());
+        const bool by_growth = is_told_by_count(joint_at(b), request_.kind) && narrow(a, fa, b, fb);
+        const auto measure = [&](double v) { return by_growth ? growth(v) : side(v); };
+        auto root = bracketed_root(measure, a, fa, b, fb, request_.precision, unit_.least_width());
         // a boundary at zero is met within rounding only
         if (a < 0 && b > 0 && std::abs(root.value) <= single_value * (b - a) && is_linear(request_.kind) &&
             side(0) == 0)

@@ -1,7 +1,7 @@
 // stickslip boundary: where exactly the boundaries lie.
+#include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/kinds/outside.h"
 #include "analysis/simulation/set_point/set_point.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/files/json/boundary_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -143,7 +143,7 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     for (const auto& question : questions)
         if (question.request.kind == BoundaryKind::hunting) answer.set_point = set_point(answer.design);
     const auto start = std::chrono::steady_clock::now();
-    answer.region = linear_point(answer.design).region;
+    answer.region = linear_region(answer.design);
     const std::size_t answered = answer_all(answer, questions, invocation);
     if (answered == 0 && !questions.empty()) return exit_interrupted;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -21,7 +21,7 @@ bool oscillates(Outcome outcome)
 std::string ending_words(const NonlinearVerdict& v)
 {
     const auto resting = [&] {
-        return v.stick_fraction > 0 ? " It spends " + percent(v.stick_fraction) + " of each cycle sticking."
+        return v.stick_fraction > 0 ? " It spends " + percent(v.stick_fraction) + " of each cycle " + rest_text(v) + "."
                                     : std::string();
     };
     switch (v.outcome) {
@@ -75,7 +75,7 @@ std::vector<Headline> ending_headlines(const Joint& joint, const NonlinearVerdic
             "peak velocity of the cycle; commanded are " + with_unit(joint.control.V0, Quantity::velocity, units));
         if (is_set(v.stick_fraction))
             list.push_back({Tone::neutral, percent(v.stick_fraction),
-                            "of each cycle at rest or below a hundredth of the commanded velocity"});
+                            "of each cycle " + rest_text(v) + ", below a hundredth of the commanded velocity"});
     }
     if (is_set(v.growth_rate))
         list.push_back({v.growth_rate < 0 ? Tone::good : Tone::bad, with_unit(v.growth_rate, Quantity::rate, units),

@@ -195,6 +195,24 @@ TEST_CASE("a boundary far from the joint's own gain is found and compared", "[st
     CHECK(rigid.own.error == Approx(5e4 / 1e7).epsilon(1e-2));
 }
 
+TEST_CASE("where any small gains hold the joint, the least noise is none", "[stability]")
+{
+    // a wafer stage: flat friction with bristles under ticks of 8 kHz; k_v = 0 is unstable, any small one is not
+    Joint joint = samples::single_mass(1);
+    joint.mechanism.inertia = 22.5;
+    joint.friction.law = Dahl{1.2, 4e5};
+    auto& c = joint.control;
+    c.k_p = 1.1e7, c.k_v = 3e4, c.V0 = 1e-6;
+    c.period = c.delay = 1.25e-4;
+    c.velocity_estimate.form = EstimateForm::backward_difference;
+    REQUIRE(least_position_gain(joint) == 0);
+    const auto mix = optimal_mix(joint, std::sqrt(2.0) / c.period);
+    // the least k_v that is tried is no gain that the joint asks for
+    CHECK(mix.k_v == 0);
+    CHECK(mix.k_p == 0);
+    CHECK(mix.noise == 0);
+}
+
 TEST_CASE("a reduction that does not apply is named by its steps", "[stability]")
 {
     auto joint = samples::nine_states();

@@ -67,6 +67,30 @@ TEST_CASE("a long record keeps its spikes", "[polyline]")
     CHECK(std::any_of(thinned.begin(), thinned.end(), [](Point p) { return p.y == 80; }));
 }
 
+TEST_CASE("a line that fills its area has no dashes, and is drawn in short strokes", "[polyline]")
+{
+    Polyline scribble;
+    for (int i = 0; i < 10'000; ++i) scribble.push_back({i % 2 == 0 ? 0.0 : 300.0, 0.03 * i});
+    CHECK(!shows_dashes(scribble, {6, 4}));
+    CHECK(shows_dashes({{0, 0}, {600, 400}}, {6, 4}));
+    CHECK(!shows_dashes({{0, 0}, {600, 400}}, {}));
+    const auto pieces = strokes(scribble);
+    CHECK(pieces.size() == 25);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        CHECK(pieces[i].size() <= 401);
+        CHECK((i == 0 || pieces[i].front() == pieces[i - 1].back()));
+    }
+    CHECK(pieces.front().front() == scribble.front());
+    CHECK(pieces.back().back() == scribble.back());
+}
+
+TEST_CASE("a series in time is one stroke", "[polyline]")
+{
+    Polyline series;
+    for (int i = 0; i < 10'000; ++i) series.push_back({0.06 * i, i % 2 == 0 ? 0.0 : 300.0});
+    CHECK(strokes(series) == std::vector<Polyline>{series});
+}
+
 TEST_CASE("dashes follow the arc length across corners", "[polyline]")
 {
     const std::vector<Point> ends = dashes({{0, 0}, {5, 0}, {5, 10}}, {3, 1});

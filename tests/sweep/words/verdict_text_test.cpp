@@ -173,3 +173,15 @@ TEST_CASE("a simulation that shows the opposite of the linear theory is told fir
     linear.loop.not_used.clear();
     CHECK(contradicting_terms(linear, motion).empty());
 }
+
+TEST_CASE("a cycle that moves backwards is not said to stick all that time")
+{
+    NonlinearVerdict cycle;
+    cycle.outcome = Outcome::reversal;
+    cycle.amplitude = 0.0155, cycle.period = 0.032, cycle.stick_fraction = 0.4957;
+    cycle.velocity_min = -2.99, cycle.velocity_max = 3.1;
+    const Joint joint = samples::single_mass(1);
+    CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking or moving backwards"), "0.4957"));
+    cycle.velocity_min = 0;
+    CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking"), "0.4957"));
+}

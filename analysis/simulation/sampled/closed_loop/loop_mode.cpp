@@ -17,8 +17,8 @@ constexpr std::size_t most_states = 400;     ///< whose multipliers are worth th
 constexpr std::size_t most_on_the_way = 60;  ///< commands that are states of a matrix; more stand aside as a dead time
 constexpr double difference = 1e-4;          ///< of a state's scale, on both sides
 constexpr double probe = 1e-4;               ///< of the scale: small beside what bends the motion
-constexpr double most_growth = 5;     ///< ln of that of a mode within a tick: what differences still are small by
-constexpr long most_window = 20'000;  ///< ticks
+constexpr double most_growth = 5;    ///< ln of that of a mode within a tick: what differences still are small by
+constexpr long most_window = 5'000;  ///< ticks: of slow modes as much shows in fewer than a fold
 
 /// What counts as a change of order one of each entry of SampledLoop::state().
 std::vector<double> state_scale(const SampledLoop& loop, std::size_t size)

@@ -27,7 +27,7 @@ struct Attractor {
     bool cut_short = false;        ///< undecided because the work was spent
     int repeats = 1;               ///< turns after which a period-n motion repeats
     int turns = 0;                 ///< that were followed
-    double peak = missing;         ///< largest position excess of the turns that were followed
+    double first_peak = missing;   ///< largest position excess of the first turn
     FlowVector start;              ///< of the cycle, on the section
     Eigen::VectorXcd multipliers;  ///< where shooting found the cycle
 

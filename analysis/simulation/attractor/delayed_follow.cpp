@@ -98,7 +98,7 @@ Attractor follow(const DelayedFlow& flow, const FlowVector& from, bool steady_at
     int turns_at_the_linear_rate = 0;
     for (; result.turns < options.turn_limit; ++result.turns) {
         const Turn turn = motion.turn(motion.time() + longest, settled);
-        result.peak = std::fmax(result.peak, turn.position_max);
+        if (result.turns == 0) result.first_peak = turn.position_max;
         if (turn.end == Turn::End::settled) return ended(Kind::steady);
         if (turn.end == Turn::End::failure) return ended(Kind::failure, Reason::solver_failed);
         if (turn.end != Turn::End::crossing) return ended(Kind::undecided, Reason::not_converged);

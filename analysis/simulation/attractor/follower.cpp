@@ -199,7 +199,7 @@ Attractor Follower::run(const FlowVector& y)
     const auto settled = [this](const FlowVector& now) { return this->settled(now); };
     for (; result_.turns < options_.turn_limit; ++result_.turns) {
         const Turn turn = motion_->turn(motion_->time() + turn_limit_, settled);
-        if (!jumped_) result_.peak = std::fmax(result_.peak, turn.position_max);
+        if (result_.turns == 0) result_.first_peak = turn.position_max;
         if (const auto end = end_at(turn)) return *end;
         idle_turns_ = turn.period() > least_turn_ ? 0 : idle_turns_ + 1;
         steps_ += turn.steps;

@@ -71,7 +71,6 @@ class Follower {
     bool frozen_ = false;                     ///< some states do not move at and about steady sliding
     int linear_turns_ = 0;                    ///< in succession that decayed at the linear rate
     double last_growth_ = missing;            ///< ln of the amplitude ratio of the last two turns
-    bool jumped_ = false;                     ///< what follows is another motion to the same end
     Creep creep_;
     Aim one_turn_, several_turns_;
     int steps_ = 0;        ///< of the solver

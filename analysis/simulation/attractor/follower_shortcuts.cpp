@@ -85,7 +85,6 @@ bool Follower::jump(double growth)
     }
     if (is_set(ahead) && shoot(scaled(ahead))) return true;
     if (creep_.bracketed() && shoot(scaled(creep_.middle()))) return true;
-    jumped_ = true;
     start_anew(scaled(creep_.next(size, growth, ahead)));
     return false;
 }

@@ -79,7 +79,7 @@ Attractor end_of_stated(const AnyFlow& flow, const SlowMode& mode, const FlowVec
         steady.kind = Attractor::Kind::steady;
         SlidingMotion first(flow, options.solver, options.rtol);
         first.start(y0);
-        steady.peak = first.turn(mode.window()).position_max;
+        steady.first_peak = first.turn(mode.window()).position_max;
         return steady;
     }
     return follow(flow, small ? lifted(flow, mode, y0) : y0, decays, options);
@@ -94,7 +94,7 @@ void take_stated(const Attractor& stated, double deflection, NonlinearVerdict& v
     if (stated.cut_short) verdict.detail = Detail::limit_of_work;
     // fmax ignores what is missing
     if (!stated.diverged)
-        verdict.overshoot = std::fmax(0, std::fmax(stated.peak, stated.position_max)) / std::abs(deflection);
+        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
     if (stated.oscillates()) describe_cycle(stated, verdict);
 }
 

@@ -53,7 +53,7 @@ struct Answer {
     double period = 0;
     double rest_time = 0;   ///< with w < ln(1/100)
     double multiplier = 0;  ///< largest Floquet multiplier as the secants see it
-    double peak = missing;  ///< largest X after a stated disturbance, its start included
+    double peak = missing;  ///< largest X of the first turn of a stated disturbance, its start included
     bool reached = false;   ///< the stated disturbance itself ended in the cycle
     int turns = 0;
     long steps = 0;

@@ -122,7 +122,7 @@ Action Program::end_of_turn(const StepView& step, double fraction)
     const double X = DenseComponent(step, 0)(fraction), p = DenseComponent(step, 2)(fraction);
     const Point end{g.K * X, p};
     Point start = end;
-    if (job_->stated && phase_ != Phase::search) answer_.peak = std::max(answer_.peak, X);
+    if (job_->stated && !on_turn_ && phase_ != Phase::search) answer_.peak = std::max(answer_.peak, X);
     if (phase_ == Phase::stated && length(end) < settled_size) return decayed();
     if (on_turn_) {
         ++answer_.turns;
@@ -162,7 +162,7 @@ Action Program::end_of_turn(const StepView& step, double fraction)
 Action Program::handle(const StepView& step, EventFlags flags)
 {
     if (phase_ != Phase::cycle && flags.settled) {
-        if (phase_ == Phase::stated) answer_.peak = std::max(answer_.peak, step.y1[0]);
+        if (phase_ == Phase::stated && !on_turn_) answer_.peak = std::max(answer_.peak, step.y1[0]);
         return decayed();
     }
     if (flags.turning) note_extremum(step);

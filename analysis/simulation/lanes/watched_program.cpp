@@ -62,10 +62,9 @@ Action WatchedProgram::follow(const double (&start)[4])
     for (int k = 0; k < job_->groups.unknowns(); ++k) largest = std::max(largest, std::abs(start[k]) / job_->scale[k]);
     size_ = largest > 0 ? std::min(1.0, largest) : 1;
     watched_->turns.clear();
-    watched_->peak = start[0];
+    watched_->first_peak = start[0];
     smaller_.forget();
     linear_turns_ = since_leap_ = creeps_ = answer_.turns = 0;
-    leapt_ = false;
     on_turn_ = false;
     begin_turn(start[0]);
     const double magnitude = std::hypot(job_->rate, job_->frequency);
@@ -109,8 +108,9 @@ Action WatchedProgram::end_of_turn(const StepView& step, double fraction)
     end.setZero(n);
     for (int k = 0; k < n; ++k)
         if (k != 1) end[k] = DenseComponent(step, k)(fraction) / job_->scale[k];
-    if (!leapt_) watched_->peak = std::max(watched_->peak, X);
-    if (phase_ != Phase::search && !leapt_ && is_set(answer_.peak)) answer_.peak = std::max(answer_.peak, X);
+    if (!on_turn_) watched_->first_peak = std::max(watched_->first_peak, X);
+    const bool first = !on_turn_ && phase_ != Phase::search;
+    if (first && is_set(answer_.peak)) answer_.peak = std::max(answer_.peak, X);
     if (phase_ == Phase::stated && !job_->stated)
         return decayed();  // a small one: its highest point was all to be seen
     if (phase_ != Phase::cycle && norm(end) < settled_size) return decayed();
@@ -126,7 +126,6 @@ Action WatchedProgram::end_of_turn(const StepView& step, double fraction)
         const bool cut_short = step.steps * Work::of_step(n) > settings_->work;
         if (answer_.turns >= settings_->watched_turns || cut_short) return out_of_patience(cut_short);
         leapt = leap();
-        leapt_ |= leapt;
     }
     on_turn_ = true;
     if (!leapt) watched_->start = end;
@@ -139,7 +138,7 @@ Action WatchedProgram::end_of_turn(const StepView& step, double fraction)
 Action WatchedProgram::handle(const StepView& step, EventFlags flags)
 {
     if (phase_ != Phase::cycle && flags.settled) {
-        if (phase_ == Phase::stated && !leapt_) answer_.peak = std::max(answer_.peak, step.y1[0]);
+        if (phase_ == Phase::stated && !on_turn_) answer_.peak = std::max(answer_.peak, step.y1[0]);
         return decayed();
     }
     if (flags.turning) {

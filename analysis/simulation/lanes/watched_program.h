@@ -49,7 +49,6 @@ class WatchedProgram {
     SmallerCycles smaller_;
     int linear_turns_ = 0;  ///< in succession that grew as the linear theory has it
     int since_leap_ = 0, creeps_ = 0;
-    bool leapt_ = false;    ///< what follows is another motion to the same end
     bool on_turn_ = false;  ///< the section has been crossed: a turn is being measured
     double rested_since_ = 0;
 };

@@ -52,7 +52,7 @@ Action WatchedProgram::out_of_patience(bool cut_short)
     if (const int m = turns_to_repeat_nearly(watched_->count(), gap, sizes.back()); m > 0)
         return cut_short ? goes_around(m) : give_up();
     if (job_->groups.unknowns() <= 3) {
-        answer_.x_max = watched_->peak;
+        answer_.x_max = watched_->first_peak;
         return finish(Ending::undecided);
     }
     return answer_.turns < wild_turns ? give_up() : goes_around(watched_->count(), false);

@@ -16,7 +16,7 @@ inline double norm(const FlowVector& point)
 struct WatchedProgram::Watched {
     std::deque<Turn> turns;  ///< newest last
     FlowVector start, end;   ///< of the present turn
-    double peak = 0;         ///< largest X of the turns that were followed
+    double first_peak = 0;   ///< largest X until the section is first crossed
 
     int count() const { return static_cast<int>(turns.size()); }
     const FlowVector& point(int i) const { return turns[static_cast<std::size_t>(i)].state; }

@@ -270,7 +270,7 @@ void LoopInquiry::judge_stated()
     verdict_.cycle = stated;
     if (stated.reason == Reason::not_converged)
         verdict_.detail = stated.cut_short ? Detail::limit_of_work : Detail::limit_of_turns;
-    if (deflection_ > 0) verdict_.overshoot = std::fmax(0, stated.peak) / deflection_;
+    if (deflection_ > 0) verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection_;
     if (!follow_.steady_attracts) {
         verdict_.region = NonlinearRegion::stick_slip;
     } else if (stated.oscillates()) {

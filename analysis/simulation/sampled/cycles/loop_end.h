@@ -14,7 +14,7 @@ struct LoopEnd {
     double stick_fraction = missing;
     double amplitude_spread = 0;  ///< from turn to turn, per amplitude: largest less smallest
     double jitter = missing;      ///< of cycles that an encoder or noise disturbs: standard deviation of the amplitude
-    double peak = missing;        ///< largest position excess of the turns that were followed
+    double first_peak = missing;  ///< largest position excess of the first turn
     bool reversed = false;
     int turns = 0;           ///< that were followed
     int repeats = 1;         ///< turns after which a period-n motion repeats

@@ -99,7 +99,7 @@ LoopEnd LoopFollower::ended(LoopEnd::Kind kind, Reason reason) const
 {
     LoopEnd end;
     end.kind = kind, end.reason = reason;
-    end.turns = all_turns_, end.peak = peak_;
+    end.turns = all_turns_, end.first_peak = first_peak_;
     return end;
 }
 
@@ -163,7 +163,6 @@ bool LoopFollower::on_its_way() const
 
 void LoopFollower::scale_motion(double by)
 {
-    scaled_ = true;
     loop_.scale_about(steady_, by);
     watch.reset(loop_.time());
     turns_.clear();
@@ -262,14 +261,14 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
 {
     LoopTurn turn;
     if (watch.take(turn)) {
-        if (!scaled_) peak_ = std::fmax(peak_, turn.peak(V0_));
+        if (std::isnan(first_peak_)) first_peak_ = turn.peak(V0_);
         turns_.push_back(turn);
         ++all_turns_;
         last_crossing_ = turn.t1;
         if (auto end = decide()) return end;
     } else if (!(loop_.time() - last_crossing_ < patience * options_.turn + 2 * options_.held)) {
         const auto& now = watch.present();
-        if (!scaled_) peak_ = std::fmax(peak_, now.peak(V0_));
+        if (std::isnan(first_peak_)) first_peak_ = now.peak(V0_);
         if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
         last_crossing_ = loop_.time();
         const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);

@@ -52,7 +52,7 @@ class LoopFollower {
     LoopEnd cut_short() const;
     /// The last turn changed so much of the motion that its own errors do not count.
     bool on_its_way() const;
-    bool has_peak() const { return peak_ == peak_; }
+    bool has_peak() const { return first_peak_ == first_peak_; }
     /// Extrema of every tick count, not of every turn.
     bool uneven() const { return options_.uneven; }
 
@@ -77,8 +77,7 @@ class LoopFollower {
     CreepSearch creep_;
     long ticks_ = 0;
     int all_turns_ = 0, blocks_ = 0;
-    double peak_ = missing, last_change_ = missing;
-    bool scaled_ = false;  ///< what follows is another motion to the same end
+    double first_peak_ = missing, last_change_ = missing;
     std::size_t skip_ = 0;
 
     std::optional<UnevenFollow> uneven_;

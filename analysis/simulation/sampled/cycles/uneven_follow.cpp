@@ -244,10 +244,9 @@ LoopEnd UnevenFollow::measured(const Stretch& s) const
     end.reversed = s.outer.reversed;
     const bool jitters = only_jitters(s);
     end.kind = jitters ? LoopEnd::Kind::steady : LoopEnd::Kind::cycle;
-    // while noise or an encoder only moves the joint, the highest point of ever longer waits tells nothing
-    end.peak = jitters ? -infinity : s.outer.peak(o_.V0);
+    end.first_peak = -infinity;
     for (std::size_t i = 0; i < std::min(panes_.size(), first_panes); ++i)
-        end.peak = std::max(end.peak, panes_[i].outer.peak(o_.V0));
+        end.first_peak = std::max(end.first_peak, panes_[i].outer.peak(o_.V0));
     end.amplitude = s.outer.amplitude();
     end.velocity_min = or_rest(s.outer.velocity_min, o_.V0);
     end.velocity_max = or_rest(s.outer.velocity_max, o_.V0);

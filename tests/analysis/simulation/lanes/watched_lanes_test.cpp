@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "analysis/simulation/lanes/watched_batch.h"
+#include "analysis/stability/steady.h"
 #include "tests/analysis/simulation/lanes/lanes_comparison.h"
 #include "tests/analysis/simulation/lanes/watched_joints.h"
 
@@ -91,8 +92,12 @@ TEST_CASE("disturbances of stated size of two states and bristles end in lanes a
         for (const auto& c : compare_with_cvode({&joint, 1}, false, disturbance)) {
             CAPTURE(static_cast<int>(disturbance.kind), disturbance.size, c.row.overshoot, c.truth.overshoot);
             CHECK(c.same_outcome());
+            // the reference's first turn is over at once where a motion falls from V_0, and its peak is the start;
             // lanes leave a motion to the linear theory at 1e-6 of steady sliding
-            CHECK((c.overshoot < 1e-4 || std::abs(c.row.overshoot - c.truth.overshoot) < 1e-8));
+            const double start = disturbance.size / std::abs(steady_sliding(joint).deflection);
+            const double apart = std::abs(c.row.overshoot - c.truth.overshoot);
+            CHECK((c.overshoot < 1e-4 || apart < 1e-8 || c.truth.overshoot == Approx(start)));
+            CHECK(c.row.overshoot > c.truth.overshoot - 1e-8);
             CHECK(c.period < 1e-5);
             CHECK(c.amplitude < 1e-4);
             by_lanes += c.row.path == DecisionPath::lanes, ++asked;

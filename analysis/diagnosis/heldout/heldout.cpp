@@ -139,6 +139,17 @@ Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& s
 
 }  // namespace
 
+FoldResult before_and_after(const Case& c, const Joint& documented, const Joint& after, int runs, double from,
+                            double to)
+{
+    FoldResult r;
+    r.before = compare(c, documented, runs, from, to, &r.trace_before);
+    r.after = compare(c, after, runs, from, to, &r.trace_after);
+    // the readings of two joints that move alike to less than a coarse step differ by it here and there
+    if (after.sensor.encoder_quantum > documented.sensor.encoder_quantum) raise_floor_to_steps(c, after, r.after);
+    return r;
+}
+
 void add_gaps(const std::vector<FoldResult>& results, HeldOut& held)
 {
     std::map<std::string, Squares> all;
@@ -219,12 +230,7 @@ HeldOut hold_out(const Fit& fit, const std::vector<Joint>& documented, const Att
         const Fold& fold = folds[i];
         const Case& c = cases[fold.record];
         const Joint after = refitted(cases, fold, fit.scales, found);
-        FoldResult& r = results[i];
-        r.before = compare(c, documented[fold.record], runs, fold.from, fold.to, &r.trace_before);
-        r.after = compare(c, after, runs, fold.from, fold.to, &r.trace_after);
-        // the readings of two joints that move alike to less than a coarse step differ by it here and there
-        if (after.sensor.encoder_quantum > documented[fold.record].sensor.encoder_quantum)
-            raise_floor_to_steps(c, after, r.after);
+        results[i] = before_and_after(c, documented[fold.record], after, runs, fold.from, fold.to);
     });
     HeldOut held;
     add_gaps(results, held);

@@ -33,6 +33,9 @@ struct FoldResult {
     std::vector<SignalSquares> before, after;
     Trace trace_before, trace_after;
 };
+/// The rows in [from, to) against simulations of the documented joint and of the one with the cause.
+FoldResult before_and_after(const Case& c, const Joint& documented, const Joint& after, int runs, double from,
+                            double to);
 /// The gap of every signal over all held-out parts, and the interval of the parts one by one.
 void add_gaps(const std::vector<FoldResult>& results, HeldOut& held);
 /// A record and its runs before and after, thinned to what a chart can show.

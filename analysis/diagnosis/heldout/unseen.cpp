@@ -35,8 +35,7 @@ HeldOut hold_out_rest(const std::vector<Case>& whole, const std::vector<StretchO
                   c.ticks.judged.begin() + static_cast<std::ptrdiff_t>(seen.to - all.from), 0);
         const Joint after = found.candidate.effects.empty() ? c.joint : edited(c.joint, found.candidate, si, i);
         FoldResult& r = results[i];
-        r.before = compare(c, documented[i], runs, -infinity, infinity, &r.trace_before);
-        r.after = compare(c, after, runs, -infinity, infinity, &r.trace_after);
+        r = before_and_after(c, documented[i], after, runs, -infinity, infinity);
         if (!r.trace_before.position.empty()) traces[i] = trace_of(c, r.trace_before, r.trace_after);
         r.trace_before = {}, r.trace_after = {};
     });

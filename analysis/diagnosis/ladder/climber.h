@@ -35,10 +35,10 @@ class Climber {
     /// The best few before they are judged.
     std::vector<Start> looks(const FittedSet& below);
 
-    /// A play between two known masses on top of each of these sets, where the misfit over its width has the deepest
-    /// dips. Alone it shows only beside nothing else: a slip that it is blamed for puts the link on the wrong flank,
-    /// and every width misses by more than none.
-    std::vector<Start> beside_hidden_play(const std::vector<FittedSet>& sets) const;
+    /// Backlash between two documented masses on top of each of these sets, where the misfit over its width has the
+    /// deepest dips. Alone, every width misses by more than none: what belongs to another cause puts the link on the
+    /// wrong flank.
+    std::vector<Start> with_hidden_backlash(const std::vector<FittedSet>& sets) const;
 
     /// Fitted to all rows and every fold, best first. Of a cause whose numbers came to their bounds the other forms,
     /// too.

@@ -35,7 +35,7 @@ class SetFitter {
     FittedSet unfitted(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
     /// Adds the cause: a few steps on excerpts from the best of its starts, the others as in `below`.
     void look(Start& start, const FittedSet& below) const;
-    /// On top of a set: the widths of a play, so many times apart, at which the misfit has a dip, without any fit.
+    /// On top of a set: the widths of backlash, so many times apart, at which the misfit has a dip, without any fit.
     std::vector<Start> dips(const FittedSet& below, const Effect& effect, const EffectForm& form, double step) const;
     /// To all rows alone.
     LevelFit refit(const Candidate& causes, const Eigen::VectorXd& x0) const;

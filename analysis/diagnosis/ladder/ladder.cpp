@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tried as two rungs
 
-constexpr std::ptrdiff_t most_returns = 1;  // of a climb to causes that it came to before
-
 /// Against a floor as high as the whole gap the prior weighs too much. What the first fit leaves is a lower floor,
 /// which lets the next one go further, until both agree.
 constexpr int most_rounds_of_floor = 5;
@@ -186,7 +184,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         if (at_start && most_rungs > 1) {
-            for (auto& s : climber_->judged(climber_->beside_hidden_play(first_))) tried.push_back(std::move(s));
+            for (auto& s : climber_->judged(climber_->with_hidden_backlash(first_))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         const auto next = earning();
@@ -198,8 +196,8 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         else
             break;
         set = with_an_exchange(climber_->in_parts(without_idle(std::move(set))));
-        // a second search may lead further down a jagged misfit; what ends there again and again earns nothing on top
-        if (std::ranges::count(ends, set.causes.effects) >= most_returns) break;
+        // a second search may lead further down a jagged misfit; one that ends at the same causes again does not
+        if (std::ranges::count(ends, set.causes.effects) > 0) break;
         ends.push_back(set.causes.effects);
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));

@@ -178,8 +178,9 @@ inline constexpr double worth_a_small_term = 0.01;
 /// the errors of parameters fall with the root of the rows and are below those of the model long before; the time of an
 /// answer grows with the rows; a stretch that is shorter than a motion holds only a part of it. Evidence: a
 /// load-dependent friction of 0.12 was fitted as 0.1200 to stretches of 1,000 s at 1 kHz and named with 0.97 (to the
-/// whole of 25 s as 0.1207), and as 0.1219 to 6 of 48 s at 20 kHz; all other rows are simulated to 1.00 and 1.01 noise
-/// floors, where the document misses by 32. Nothing was tried between these numbers and half or twice as many.
+/// whole of 25 s as 0.1207), and as 0.1219 to 6 of 48 s at 20 kHz; all other rows are simulated to 1.00 and 1.01 ×
+/// the noise floor, where the document misses by 32 ×. Nothing was tried between these numbers and half or twice as
+/// many.
 inline constexpr double most_whole = 200'000, fitted = 120'000, stretches_fitted = 8, shortest_stretch = 1.5;
 
 // Deciding between causes (verdict/, search/, heldout/) and the audit of the controller (audit/).

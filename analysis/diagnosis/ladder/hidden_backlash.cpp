@@ -1,4 +1,4 @@
-// The play of a joint whose two masses are documented, beside causes that hide it.
+// Backlash of a joint whose two masses are documented, in addition to causes that hide it.
 #include "analysis/diagnosis/ladder/climber.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
@@ -14,7 +14,7 @@ constexpr std::size_t go_on = 2;     // dips, deepest first
 
 }  // namespace
 
-std::vector<Start> Climber::beside_hidden_play(const std::vector<FittedSet>& sets) const
+std::vector<Start> Climber::with_hidden_backlash(const std::vector<FittedSet>& sets) const
 {
     std::vector<Start> dips;
     for (const auto& single : singles_) {

@@ -11,14 +11,36 @@ namespace {
 
 constexpr std::string_view of_record = "coulomb-level of the record";
 
-void for_all_frictions(Joint& j, const double part, void (*change)(Friction&, double))
+/// A number of the friction: how it is read and changed, and how it grows through the reduction. An effort of the motor
+/// is N times as large at the joint; a slope is N squared times as large, as the motor also moves N times as fast.
+struct FrictionNumber {
+    double (*of)(const Friction&);
+    void (*shift)(Friction&, double);
+    bool is_slope;
+
+    double per_motor(const Joint& j) const
+    {
+        const double ratio = j.mechanism.transmission.ratio;
+        return is_slope ? ratio * ratio : ratio;
+    }
+    double at_joint(const Joint& j) const
+    {
+        if (is_single_mass(j)) return of(j.friction);
+        return per_motor(j) * of(j.frictions.motor) + of(j.frictions.link);
+    }
+};
+
+constexpr FrictionNumber coulomb_number{coulomb_force, shift_coulomb, false};
+constexpr FrictionNumber viscous_number{viscous_slope, shift_viscous, true};
+
+/// Shares a change at the joint out between two bodies, in proportion.
+void change_friction(Joint& j, const FrictionNumber& number, const double change)
 {
-    if (is_single_mass(j)) return change(j.friction, part);
-    // what is shared out between two bodies changes in proportion
-    const double all = coulomb_force(j.frictions.motor) + coulomb_force(j.frictions.link);
-    const double motor = all > 0 ? coulomb_force(j.frictions.motor) / all : 0.5;
-    change(j.frictions.motor, motor * part);
-    change(j.frictions.link, (1 - motor) * part);
+    if (is_single_mass(j)) return number.shift(j.friction, change);
+    const double all = number.at_joint(j);
+    const double motor = all > 0 ? number.per_motor(j) * number.of(j.frictions.motor) / all : 0.5;
+    number.shift(j.frictions.motor, motor * change / number.per_motor(j));
+    number.shift(j.frictions.link, (1 - motor) * change);
 }
 
 }  // namespace
@@ -43,12 +65,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     for (const auto& c : cases) seconds += c.ticks.duration();
     weight_ = 1 / std::max(1.0, seconds / block_time);
     const Joint& j = cases[0].joint;
-    const bool single = is_single_mass(j);
-    const double coulomb =
-        single ? coulomb_force(j.friction) : coulomb_force(j.frictions.motor) + coulomb_force(j.frictions.link);
-    const double viscous =
-        single ? viscous_slope(j.friction) : viscous_slope(j.frictions.motor) + viscous_slope(j.frictions.link);
-    const double level = std::max(coulomb / scales.effort, prior.least);
+    const double level = std::max(coulomb_number.at_joint(j) / unit_of(Scale::load_effort, scales), prior.least);
     const auto number = [&](Quantity quantity, Scale scale, bool logarithmic, double sd, std::string_view help) {
         EffectParameter p{logarithmic ? "factor" : "change",
                           quantity,
@@ -71,18 +88,18 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
         false);
     add(
         "coulomb-level",
-        number(Quantity::effort, Scale::effort, false, prior.coulomb * level, "change of the Coulomb level"),
-        [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, false);
-    const double drag = std::max(viscous * scales.velocity / scales.effort, prior.least);
+        number(Quantity::effort, Scale::load_effort, false, prior.coulomb * level, "change of the Coulomb level"),
+        [](Joint& to, const double* p) { change_friction(to, coulomb_number, p[0]); }, false);
+    const double drag = std::max(viscous_number.at_joint(j) / unit_of(Scale::load_damping, scales), prior.least);
     small_sd_ = prior.small_term * level;
     usual_effort_ = prior.widest * small_sd_;
     usual_drag_ = prior.widest * prior.viscous * drag;
     add(
         "viscous",
-        number(Quantity::damping, Scale::damping, false, prior.viscous * drag, "change of the viscous slope"),
-        [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_viscous); }, false);
+        number(Quantity::damping, Scale::load_damping, false, prior.viscous * drag, "change of the viscous slope"),
+        [](Joint& to, const double* p) { change_friction(to, viscous_number, p[0]); }, false);
     add(
-        "constant-load", number(Quantity::effort, Scale::effort, false, prior.load * level, "constant load"),
+        "constant-load", number(Quantity::effort, Scale::load_effort, false, prior.load * level, "constant load"),
         [](Joint& to, const double* p) { to.load.constant += p[0]; }, false);
     if (const double gravity = std::abs(j.load.gravity_amplitude); gravity > 0)
         add(
@@ -93,9 +110,9 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     if (records_ > 1 && prior.coulomb_of_record > 0)
         add(
             of_record,
-            number(Quantity::effort, Scale::effort, false, prior.coulomb_of_record * level,
+            number(Quantity::effort, Scale::load_effort, false, prior.coulomb_of_record * level,
                    "change of the Coulomb level in this record"),
-            [](Joint& to, const double* p) { for_all_frictions(to, p[0], shift_coulomb); }, true);
+            [](Joint& to, const double* p) { change_friction(to, coulomb_number, p[0]); }, true);
 }
 
 Corrected Corrections::beside(const Candidate& causes) const

@@ -59,6 +59,8 @@ double unit_of(Scale scale, const Scales& s)
             return on(s.load, Scale::velocity, s);
         case Scale::load_position:
             return on(s.load, Scale::position, s);
+        case Scale::load_damping:
+            return on(s.load, Scale::damping, s);
         case Scale::load_wave_number:
             return on(s.load, Scale::wave_number, s);
         case Scale::peak_effort:

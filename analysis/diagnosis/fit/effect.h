@@ -60,6 +60,7 @@ enum class Scale {
     load_effort,  ///< and for the link
     load_velocity,
     load_position,
+    load_damping,
     load_wave_number
 };
 

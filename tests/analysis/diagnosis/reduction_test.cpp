@@ -1,12 +1,17 @@
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/fit/corrections.h"
+#include "analysis/diagnosis/fit/joint_edits.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/verdict/locate_stages.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
+#include <string_view>
 
 using namespace stickslip;
 using namespace stickslip::gap;
@@ -123,4 +128,43 @@ TEST_CASE("a command that the documented gains give exactly leaves nothing but t
     std::vector<Note> notes;
     std::vector<Case> cases{prepare(test::record_of(m, 1, 4), j, notes)};
     CHECK(audit(cases).residual_after < 1e-11);  // the difference of two sums would end at 1e-8
+}
+
+TEST_CASE("behind a reduction friction is off in proportion on both bodies, and in parts of what the joint feels",
+          "[gap]")
+{
+    constexpr double of_motor = 0.01, of_link = 0.5, slope_of_motor = 2e-5, slope_of_link = 0.04;
+    Joint j = geared(Feedback::motor);
+    j.frictions.motor.law = CoulombViscous{of_motor, slope_of_motor};
+    j.frictions.link.law = CoulombViscous{of_link, slope_of_link};
+    std::vector<Note> notes;
+    const std::vector<Case> cases{prepare(pushed(0.1, Feedback::motor), j, notes)};
+    const Scales scales = scales_of(cases);
+    const Corrections corrections(cases, scales, policy::ladder.prior);
+    const Candidate all = corrections.beside({}).candidate;
+
+    // the motor's 0.01 N·m are 1.2 at the joint, and its slope counts by the square of the reduction
+    const double level = N * of_motor + of_link, slope = N * N * slope_of_motor + slope_of_link;
+    const std::map<std::string_view, double> one_sd{{"coulomb-level", policy::correction_prior.coulomb * level},
+                                                    {"viscous", policy::correction_prior.viscous * slope},
+                                                    {"constant-load", policy::correction_prior.load * level}};
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < all.effects.size(); ++i) {
+        const auto expected = one_sd.find(all.effects[i]->name);
+        if (expected == one_sd.end()) continue;
+        ++found;
+        CAPTURE(expected->first);
+        const double si = all.sd_of(i) * unit_of(all.forms[i]->parameters[0].scale, scales);
+        CHECK(si == Approx(expected->second));
+        Joint off = j;
+        all.forms[i]->apply(off, &si);
+        CHECK(coulomb_force(off.frictions.motor) / of_motor == Approx(coulomb_force(off.frictions.link) / of_link));
+        CHECK(viscous_slope(off.frictions.motor) / slope_of_motor ==
+              Approx(viscous_slope(off.frictions.link) / slope_of_link));
+        CHECK(N * coulomb_force(off.frictions.motor) + coulomb_force(off.frictions.link) +
+                  (N * N * viscous_slope(off.frictions.motor) + viscous_slope(off.frictions.link)) +
+                  off.load.constant ==
+              Approx(level + slope + si));
+    }
+    CHECK(found == one_sd.size());
 }

@@ -196,12 +196,6 @@ void raise_floor_of_readings(const Case& c, const Joint& joint, double reading, 
 
 }  // namespace
 
-void raise_floor_to_steps(const Case& c, const Joint& joint, std::vector<SignalSquares>& squares)
-{
-    constexpr double of_uniform = 1.0 / 12;  // variance of an error that is uniform over one step
-    raise_floor_of_readings(c, joint, 2 * of_uniform * std::pow(joint.sensor.encoder_quantum, 2), squares);
-}
-
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to, Trace* first)
 {
     const Ticks& t = c.ticks;
@@ -234,6 +228,30 @@ std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, 
     raise_floor_of_readings(c, joint, 2 * sigma * sigma * 0.25, squares);
     if (first && !traces.empty()) *first = std::move(traces[0]);
     return squares;
+}
+
+void raise_floor_to_steps(const Case& c, const Joint& joint, double finer, std::vector<SignalSquares>& squares)
+{
+    const Ticks& t = c.ticks;
+    if (!t.has_reference) return;
+    Joint fine = joint;
+    fine.sensor.encoder_quantum = finer;
+    constexpr std::uint64_t seed = 1;  // the same noise in both
+    const Trace coarse = simulate_closed_loop(flatten(joint), t, seed);
+    const Trace smooth = simulate_closed_loop(flatten(fine), t, seed);
+    // what the steps make of one signal is independent of what they make of another joint's
+    const auto twice = [&](std::vector<double> Trace::*column) {
+        double sum = 0, rows = 0;
+        for (std::size_t k = 0; k < t.size(); ++k)
+            if (t.logged[k]) sum += 2 * std::pow((coarse.*column)[k] - (smooth.*column)[k], 2), rows += 1;
+        return sum / std::max(rows, 1.0);
+    };
+    const double command = command_unit(c.joint).factor;
+    for (auto& s : squares) {
+        if (s.signal == "position") s.floor = std::max(s.floor, twice(&Trace::position));
+        if (s.signal == "effort_command") s.floor = std::max(s.floor, command * command * twice(&Trace::command));
+        if (s.signal == "effort_measured") s.floor = std::max(s.floor, twice(&Trace::effort));
+    }
 }
 
 namespace {

@@ -46,8 +46,9 @@ CommandUnit command_unit(const Joint& joint);
 std::vector<SignalSquares> compare(const Case& c, const Joint& joint, int runs, double from, double to,
                                    Trace* first = nullptr);
 
-/// Floors of what `compare` gave no lower than two readings of this joint's encoder differ whose errors are uniform
-/// over its step (Widrow and Kollar 2008).
-void raise_floor_to_steps(const Case& c, const Joint& joint, std::vector<SignalSquares>& squares);
+/// Floors of what `compare` gave no lower than the coarse steps of this joint's encoder make two joints differ that
+/// move alike: twice the mean square by which its simulation differs from one with the finer steps. Whatever the
+/// controller makes of a step is in it.
+void raise_floor_to_steps(const Case& c, const Joint& joint, double finer, std::vector<SignalSquares>& squares);
 
 }  // namespace stickslip::gap

@@ -146,7 +146,8 @@ FoldResult before_and_after(const Case& c, const Joint& documented, const Joint&
     r.before = compare(c, documented, runs, from, to, &r.trace_before);
     r.after = compare(c, after, runs, from, to, &r.trace_after);
     // the readings of two joints that move alike to less than a coarse step differ by it here and there
-    if (after.sensor.encoder_quantum > documented.sensor.encoder_quantum) raise_floor_to_steps(c, after, r.after);
+    if (const double finer = documented.sensor.encoder_quantum; after.sensor.encoder_quantum > finer)
+        raise_floor_to_steps(c, after, finer, r.after);
     return r;
 }
 

@@ -81,7 +81,8 @@ class Climber {
 
     /// Of the causes of a set the one without which least is lost goes last, and so on down. Without a cause its number
     /// is as documented: where its correction came back and took most of the cause's place, the gap would not be the
-    /// cause's. Where corrections stand in for it, they stay as they are beside it.
+    /// cause's. Where corrections stand in for it, they stay as they are beside it. Small terms of every machine go
+    /// behind all others: alone one of them may grow into another's place.
     std::vector<FittedSet> in_order(FittedSet set) const;
 
     /// Other sets of as many causes as this one that hold all causes of the one below it, best first. What stands in
@@ -94,6 +95,8 @@ class Climber {
     std::optional<double> misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival);
 
   private:
+    /// Which of the causes goes last, by what is lost without each.
+    std::size_t last_of(const FittedSet& set, std::vector<double> lost) const;
     /// The causes but one, with the numbers that they have in the set.
     FittedSet unfitted_without(const FittedSet& set, std::size_t member) const;
     std::vector<FittedSet> fitted(const std::vector<Start>& starts);

@@ -27,6 +27,11 @@ class SetFitter {
     {
     }
     const Joint& joint() const { return data_.cases()[0].joint; }
+    /// Whether this cause of a set is a small term of every machine, and no larger than they are.
+    bool is_usual(const FittedSet& set, const Effect& cause) const
+    {
+        return corrections_.is_usual(set.causes, set.of_causes(set.fit.x), cause);
+    }
     /// Excerpts anew, after the prediction floors have moved.
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.

@@ -25,6 +25,16 @@ double Climber::misfit_held(const FittedSet& set, std::size_t member) const
     return held.misfit;
 }
 
+std::size_t Climber::last_of(const FittedSet& set, std::vector<double> lost) const
+{
+    std::vector<bool> usual;
+    for (const Effect* cause : set.causes.effects) usual.push_back(fitter_.is_usual(set, *cause));
+    if (std::ranges::count(usual, true) > 0 && std::ranges::count(usual, false) > 0)
+        for (std::size_t i = 0; i < lost.size(); ++i)
+            if (!usual[i]) lost[i] = infinity;
+    return static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin());
+}
+
 std::vector<FittedSet> Climber::in_order(FittedSet set) const
 {
     std::vector<FittedSet> order{std::move(set)};
@@ -39,7 +49,7 @@ std::vector<FittedSet> Climber::in_order(FittedSet set) const
             if (less[i].deviations() - whole.deviations() > policy::standing_in)
                 lost[i] = std::max(lost[i], misfit_held(whole, i));
         });
-        order.push_back(less[static_cast<std::size_t>(std::ranges::min_element(lost) - lost.begin())]);
+        order.push_back(less[last_of(order.back(), lost)]);
     }
     std::reverse(order.begin(), order.end());
     return order;

@@ -83,6 +83,7 @@ std::optional<Note> why_not(const JudgedLadder& j)
 
 void hold_against(JudgedLadder& j, const FreeFit& force)
 {
+    if (!j.only_corrections && j.shares.rungs.back() < policy::all_but_explained * j.shares.base) return;
     // a free force takes the small terms that every machine has along: the cause is held against it with its own
     if (!clearly_better(force, std::min(mean_log_misfit(j.winner.evaluation), j.with_small_terms))) return;
     if (j.only_corrections) {

@@ -334,3 +334,23 @@ TEST_CASE("a cause that would pay with impossible numbers alone is told as that"
     CHECK(j.why_not->code == Note::Code::earns_implausible);
     CHECK(j.why_not->names == std::vector<std::string>{"cogging"});
 }
+
+TEST_CASE("a small drift that could grow into the place of a changed level stands behind it", "[gap][ladder]")
+{
+    constexpr double level = 2 * 0.2, drift = 2 * 0.015, time_constant = 30;  // N, N, s; records of 5 s
+    Joint joint = test::nominal_joint();
+    shift_coulomb(joint.friction, level);
+    joint.friction.drift.change = drift, joint.friction.drift.time_constant = time_constant;
+    Search search(Machine{}, {});
+    search.simulate(joint, {"coulomb-level", "friction-drift"});
+    Attribution both = search.single("coulomb-level");
+    const Attribution other = search.single("friction-drift");
+    both.candidate.effects.push_back(other.candidate.effects[0]);
+    both.candidate.forms.push_back(other.candidate.forms[0]);
+    both.x.fill(to_fit(both.candidate, {level / search.scales.effort, drift / search.scales.effort,
+                                        time_constant / search.scales.duration}));
+    const Ladder ladder = search.search->of(both);
+    REQUIRE(ladder.rungs.size() == 2);
+    CHECK(ladder.rungs[0].causes.effects[0]->name == "coulomb-level");
+    CHECK(ladder.rungs[1].causes.effects[1]->name == "friction-drift");
+}

@@ -146,7 +146,7 @@ TEST_CASE("the record simulator follows CVODE with a motor whose supply sags", "
     compare_all(motor(), [](const EffectForm& f) { return f.name == "motor"; });
 }
 
-TEST_CASE("the record simulator follows CVODE with two masses, soft or with play", "[gap][cvode]")
+TEST_CASE("the record simulator follows CVODE with two masses, soft or with backlash", "[gap][cvode]")
 {
     compare_all(two_masses(), [](const EffectForm& f) { return f.name.starts_with("two-mass"); });
 }

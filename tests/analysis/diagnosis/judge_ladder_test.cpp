@@ -193,11 +193,14 @@ TEST_CASE("corrections alone are held against free forces, which have to take as
     CHECK(answers(force(0.97, 4.5)));
     j.only_corrections = false, j.named = true;  // a rung has taken as much
     j.ladder.rungs.push_back(rung({"gravity"}, 0.1, 5));
+    j.shares.base = 1, j.shares.rungs = {0.1};
     CHECK_FALSE(answers(force(0.7, 1.3)));
     // with its own ripple and cogging the cause came as near, and a free force only took those along
     j.with_small_terms = mean_log_misfit(force(0, 1.35).fit.evaluation);
     CHECK(answers(force(0.7, 1.3)));
     CHECK_FALSE(answers(force(0.7, 1.05)));
+    j.shares.rungs = {0.9 * policy::all_but_explained};  // whatever a force takes of that
+    CHECK(answers(force(0.7, 1.05)));
 }
 
 TEST_CASE("a small term that takes little is not what the gap comes from, any other cause stays", "[gap][ladder]")

@@ -316,9 +316,9 @@ TEST_CASE("numbers outside their physical range are no cause", "[gap][ladder]")
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.49, 0.1, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.1, 0.49, 0.01, 0.1}), scales, joint, policy::ladder.ranges));
     CHECK_FALSE(plausible(lag, to_fit(lag, {0.1, 0.12, 4e-6, 0.1}), scales, joint, policy::ladder.ranges));
-    // a play that the encoder does not resolve is a spring
-    const Effect* play = effect_named("backlash");
-    const Candidate contact{{play}, {&play->forms[0]}, 1};
+    // backlash that the encoder does not resolve is a spring
+    const Effect* backlash = effect_named("backlash");
+    const Candidate contact{{backlash}, {&backlash->forms[0]}, 1};
     CHECK(plausible(contact, to_fit(contact, {2e-5, 0.5, 1000, 0.3, 0.2}), scales, joint, policy::ladder.ranges));
     CHECK_FALSE(plausible(contact, to_fit(contact, {4e-6, 0.5, 1000, 0.3, 0.2}), scales, joint, policy::ladder.ranges));
     // LuGre's bristles without damping are Dahl's; without stiffness they are none

@@ -171,22 +171,22 @@ TEST_CASE("numbers that make up for each other are searched together in the end"
     CHECK(pairs[1].x[0] == smooth);  // a smooth misfit needs no simplex
 }
 
-TEST_CASE("play in a single mass damps its contact by the ratio that is fitted", "[gap]")
+TEST_CASE("backlash in a single mass damps its contact by the ratio that is fitted", "[gap]")
 {
-    const Candidate play = of({"backlash"});
+    const Candidate backlash = of({"backlash"});
     Joint joint;
     joint.mechanism.inertia = 2;
     CoulombViscous law;
     law.coulomb = 1;
     joint.friction.law = law;
     // width, share, stiffness, friction on the link, damping ratio: c = 2 ζ √(k m₁ m₂ / (m₁ + m₂))
-    const Joint divided = edited(joint, play, {0.01, 0.25, 800, 0.4, 0.3}, 0);
+    const Joint divided = edited(joint, backlash, {0.01, 0.25, 800, 0.4, 0.3}, 0);
     CHECK(divided.mechanism.motor_inertia == Approx(0.5));
     CHECK(divided.mechanism.transmission.damping == Approx(2 * 0.3 * std::sqrt(800 * 0.375)));
     CHECK(divided.mechanism.transmission.backlash == 0.01);
 }
 
-TEST_CASE("only play between two known masses is looked at on whole records", "[gap]")
+TEST_CASE("only backlash between two known masses is looked at on whole records", "[gap]")
 {
     const Effect* backlash = effect_named("backlash");
     for (const auto& form : backlash->forms)

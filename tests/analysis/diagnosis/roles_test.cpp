@@ -146,7 +146,7 @@ TEST_CASE("a divided mass shares out level and slope of its friction, the rest s
     CHECK(motor.c0 + link.coulomb == Approx(2));
     CHECK(motor.c1 + link.viscous == Approx(1.5));
     CHECK(motor.c2 == 0.5);
-    // a level that differs by direction would press a link of its own against one flank of its play
+    // a level that differs by direction would press a link of its own against one flank of its backlash
     CHECK(j.frictions.motor.asymmetry.coulomb == 0.3);
     CHECK(j.frictions.motor.asymmetry.viscous == 0.2);
     CHECK(j.frictions.motor.ripple.amplitude == 0.1);

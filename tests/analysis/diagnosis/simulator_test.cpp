@@ -302,7 +302,7 @@ TEST_CASE("two masses with a stiff spring move like one", "[gap]")
 
 namespace {
 
-/// Motor 0.4 kg and link 0.6 kg with 20 mm of play; friction on the link only.
+/// Motor 0.4 kg and link 0.6 kg with 20 mm of backlash; friction on the link only.
 Joint playing_masses(double link_coulomb, double load)
 {
     Joint joint = sliding_mass(1, 0, 0);
@@ -324,7 +324,7 @@ Joint playing_masses(double link_coulomb, double load)
 
 }  // namespace
 
-TEST_CASE("a link that its friction holds starts in the middle of its play", "[gap]")
+TEST_CASE("a link that its friction holds starts in the middle of its backlash", "[gap]")
 {
     for (const double load : {0.1, -0.1}) {
         Record record = at_ticks(300, 1e-3);
@@ -333,7 +333,7 @@ TEST_CASE("a link that its friction holds starts in the middle of its play", "[g
         const Ticks ticks = on_clock(record, joint);
         Innovation run;
         predict(flatten(joint), ticks, ticks.command, 0, run);
-        // free flight q = (u / 2 J) t² over half the play, then the link holds the motor
+        // free flight q = (u / 2 J) t² over half the backlash, then the link holds the motor
         const double contact = std::sqrt(2 * 0.01 * 0.4 / 1);
         const auto before = static_cast<std::size_t>(contact / 1e-3) - 1;
         CHECK(run.velocity[before] == Approx(before * 1e-3 / 0.4).epsilon(1e-6));
@@ -341,7 +341,8 @@ TEST_CASE("a link that its friction holds starts in the middle of its play", "[g
     }
 }
 
-TEST_CASE("whether a loaded link starts on its flank or falls through its play is told by the first moments", "[gap]")
+TEST_CASE("whether a loaded link starts on its flank or falls through its backlash is told by the first moments",
+          "[gap]")
 {
     // 0.6 kg falls under 2 N through 10 mm, then takes 0.4 kg along: momentum says −t² + 0.6 · 10 mm; pressed from the
     // start both go as −t²

@@ -53,7 +53,7 @@ TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one
     CHECK(with(0.08, false) == 1);
 }
 
-TEST_CASE("a partner beside play is named where it takes away most of what the play leaves", "[gap]")
+TEST_CASE("a partner beside backlash is named where it takes away most of what the backlash leaves", "[gap]")
 {
     const auto named = [](double single, double pair, const char* alone = "backlash") -> std::size_t {
         const std::vector<Attribution> singles{found({alone}, 1.6, single, false)};

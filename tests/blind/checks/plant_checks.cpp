@@ -57,7 +57,7 @@ TEST_CASE("a pendulum without friction keeps its energy, with friction it only l
     CHECK(std::abs(3 * std::sin(rubbing.position(0))) <= 0.4);
 }
 
-TEST_CASE("two bodies with play and a damped spring lose energy only", "[blind]")
+TEST_CASE("two bodies with backlash and a damped spring lose energy only", "[blind]")
 {
     Machine m = sliding_mass(0.1, 0.05);
     m.mechanism.bodies = 2;
@@ -81,7 +81,7 @@ TEST_CASE("two bodies with play and a damped spring lose energy only", "[blind]"
     CHECK(apart);
 }
 
-TEST_CASE("a motor that turns round leaves its link behind for the whole play", "[blind]")
+TEST_CASE("a motor that turns round leaves its link behind for the whole backlash", "[blind]")
 {
     Machine m = sliding_mass(0.1, 0.2);
     m.mechanism.bodies = 2;

@@ -14,7 +14,7 @@ using namespace stickslip;
 
 namespace {
 
-/// Motor of 2e-5 kg m² behind a gear of 50, spring, 0.01 rad of play.
+/// Motor of 2e-5 kg m² behind a gear of 50, spring, 0.01 rad of backlash.
 Joint geared()
 {
     Joint joint = starting_joint(Model::two_mass, "coulomb-viscous", Motion::revolute);

@@ -24,7 +24,7 @@ Joint with_play(double asymmetry)
 
 }  // namespace
 
-TEST_CASE("a ladder looks for a play before the encoder, too, where it alone came nearest behind it",
+TEST_CASE("a ladder looks for backlash before the encoder, too, where that alone came nearest behind it",
           "[gap][ladder][slow]")
 {
     for (const double asymmetry : {0.0, 0.6}) {
@@ -33,20 +33,20 @@ TEST_CASE("a ladder looks for a play before the encoder, too, where it alone cam
         records.simulate(with_play(asymmetry), {"backlash:divided-mass-encoder-on-link", "asymmetric-friction"});
         const auto set = records.search->climb({}, policy::ladder.most_rungs).last();
         const auto& effects = set.causes.effects;
-        const auto play = std::ranges::find(effects, "backlash", &Effect::name) - effects.begin();
-        REQUIRE(play < static_cast<std::ptrdiff_t>(effects.size()));
-        CHECK(set.causes.forms[static_cast<std::size_t>(play)]->name == "divided-mass");
+        const auto backlash = std::ranges::find(effects, "backlash", &Effect::name) - effects.begin();
+        REQUIRE(backlash < static_cast<std::ptrdiff_t>(effects.size()));
+        CHECK(set.causes.forms[static_cast<std::size_t>(backlash)]->name == "divided-mass");
         CHECK(effects.size() == (asymmetry == 0 ? 1 : 2));
         const auto si = in_si(set.causes, set.of_causes(set.fit.x), records.scales);
-        std::size_t first = 0;  // number of the play
-        for (std::ptrdiff_t i = 0; i < play; ++i)
+        std::size_t first = 0;  // number of the backlash
+        for (std::ptrdiff_t i = 0; i < backlash; ++i)
             first += set.causes.count_of(*set.causes.forms[static_cast<std::size_t>(i)]);
         CHECK(si[first] == Approx(width).epsilon(0.05));
     }
 }
 
 TEST_CASE(
-    "beside the cause that hides a play, fitted without it, the misfit over the width has its dip at the right one",
+    "beside the cause that hides backlash, fitted without it, the misfit over the width has its dip at the right one",
     "[gap][ladder]")
 {
     Joint documented = test::nominal_joint();
@@ -65,10 +65,10 @@ TEST_CASE(
     FittedSet none;
     none.model = corrections.beside({});
     none.fit.x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(none.model.numbers));
-    const Attribution play = records.single("backlash:two-mass");
+    const Attribution backlash = records.single("backlash:two-mass");
     const Attribution peak = records.single("stribeck");
     const FittedSet below = fitter.fit(peak.candidate, fitter.start(peak.candidate, none, peak.x[ladder_level]));
-    auto dips = fitter.dips(below, *play.candidate.effects[0], *play.candidate.forms[0], 1.15);
+    auto dips = fitter.dips(below, *backlash.candidate.effects[0], *backlash.candidate.forms[0], 1.15);
     REQUIRE(!dips.empty());
     std::ranges::stable_sort(dips, {}, &Start::objective);
     const auto si = in_si(corrections.beside(dips[0].causes).candidate, dips[0].x0, records.scales);

@@ -337,14 +337,14 @@ TEST_CASE("a cause that would pay with impossible numbers alone is told as that"
 
 TEST_CASE("a small drift that could grow into the place of a changed level stands behind it", "[gap][ladder]")
 {
-    constexpr double level = 2 * 0.2, drift = 2 * 0.015, time_constant = 30;  // N, N, s; records of 5 s
+    constexpr double level = 2 * 0.2, drift = 2 * 0.03, time_constant = 5;  // N, N, s; records of 5 s
     Joint joint = test::nominal_joint();
-    shift_coulomb(joint.friction, level);
-    joint.friction.drift.change = drift, joint.friction.drift.time_constant = time_constant;
+    shift_coulomb(joint.friction, level + drift);
+    joint.friction.drift.change = -drift, joint.friction.drift.time_constant = time_constant;
     Search search(Machine{}, {});
-    search.simulate(joint, {"coulomb-level", "friction-drift"});
-    Attribution both = search.single("coulomb-level");
-    const Attribution other = search.single("friction-drift");
+    search.simulate(joint, {"coulomb-level", "friction-drift:to-document"});
+    Attribution both = search.singles[0];
+    const Attribution& other = search.singles[1];
     both.candidate.effects.push_back(other.candidate.effects[0]);
     both.candidate.forms.push_back(other.candidate.forms[0]);
     both.x.fill(to_fit(both.candidate, {level / search.scales.effort, drift / search.scales.effort,

@@ -152,6 +152,10 @@ inline constexpr double doubt_of_finding = 0.02;
 /// of the document were found for. Reason: the finding is certain, and as likely as not alone. Definition: a half says
 /// that nothing is known of other causes.
 inline constexpr double finding_and_more = 0.5;
+/// Probability that such a finding is the only cause, where otherwise only documented parameters are off and more than
+/// noise remains. Reason: the parameters may have absorbed another cause. Evidence: of 15 such answers on fresh dirty
+/// draws 14 are right, one has an asymmetric friction as well: (14 + 1)/(15 + 2).
+inline constexpr double finding_with_numbers = 0.88;
 /// Probabilities that wrong documented parameters are the only cause: where only noise remains, and where more does.
 /// Reason: several parameters together can imitate many causes. Evidence: of 28 such answers on fresh dirty draws
 /// (docs/validation-history.md) 21 are joints whose file is off and nothing else, and seven have another cause (an

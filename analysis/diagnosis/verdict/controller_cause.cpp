@@ -25,7 +25,7 @@ void put_controller_in_order(Cause controller, const JudgedLadder& j, Diagnosis&
     }
     // numbers of the document are no cause beside it: it is alone where they are all that is off
     controller.probability = j.noise_left         ? 1 - policy::doubt_of_noise
-                             : j.only_corrections ? (1 - policy::doubt_of_finding) * d.effects[0].probability
+                             : j.only_corrections ? policy::finding_with_numbers
                                                   : policy::finding_and_more;
     for (auto& c : d.effects) c.probability *= 1 - controller.probability;
     d.effects.insert(d.effects.begin(), std::move(controller));

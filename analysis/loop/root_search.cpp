@@ -101,6 +101,18 @@ bool RootSearch::knows_right_of(double sigma) const
     return std::any_of(roots_.begin(), roots_.end(), [&](Complex s) { return s.real() > sigma; });
 }
 
+bool RootSearch::are_all_known(Complex rightmost) const
+{
+    const auto known = all();
+    for (const double share : {1e-2, 3e-2, 0.1, 0.3}) {
+        const double width = share * std::abs(rightmost), sigma = rightmost.real() - width;
+        const auto right = roots_right_of(open_, gain_, sigma, 1e-3 * width);
+        if (!right) continue;
+        return *right == std::count_if(known.begin(), known.end(), [&](Complex s) { return s.real() > sigma; });
+    }
+    return false;
+}
+
 /// From the imaginary axis Newton's method may miss what lies far right of it.
 bool RootSearch::climb(double sigma)
 {
@@ -148,7 +160,7 @@ std::optional<Complex> RootSearch::edge_by_newton()
             nearest = share * (std::abs(s.real()) + 1e-3 * std::abs(s));
             if ((right = look(s.real() + nearest, nearest))) break;
         }
-        if (!right) return std::nullopt;
+        if (!right) return are_all_known(s) ? std::optional(s) : std::nullopt;
         if (*right == 0) return s;
         const Complex now = *std::max_element(roots_.begin(), roots_.end(), further_left);
         if (now.real() > s.real() + nearest || climb(s.real() + nearest)) continue;

@@ -46,6 +46,10 @@ class RootSearch {
     /// it does not come near one.
     std::optional<Complex> near_root(Complex s) const;
     bool knows_right_of(double sigma) const;
+    /// Whether a line further left counts no roots but known ones right of it. Lines next to the root may leave their
+    /// count open: those past poles that a split of delayed friction puts into its terms, where these lose their
+    /// digits.
+    bool are_all_known(Complex rightmost) const;
     void take(Complex start);
     void add(Complex root);
     bool is_known(Complex s) const;

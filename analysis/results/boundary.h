@@ -93,7 +93,7 @@ struct LocatedRay {
     std::vector<BoundaryPoint> points;
     int nodes = 0;                 ///< of the scan
     int undecided = 0;             ///< of them without a verdict
-    Reason reason = Reason::none;  ///< why the first of these has none
+    Reason reason = Reason::none;  ///< why the first of these, or a value within a bracket, has none
     int climbed = 0;               ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;
     double stable_share = 0;   ///< of the scanned nodes: without a boundary, 1 if all are stable, 0 if none

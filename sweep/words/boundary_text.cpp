@@ -44,6 +44,15 @@ std::string throughout(const LocatedRay& ray)
                              " scanned points that have a verdict; " + std::to_string(ray.undecided) + " have none");
 }
 
+/// Of a bracket that simulation leaves wide, which is one around values that it does not decide.
+std::string open_text(const LocatedRay& ray, const BoundaryPoint& p, Units units)
+{
+    if (p.converged || p.method != LocationMethod::bisection) return "";
+    const std::string text = "; simulation does not decide between " +
+                             range_text(p.low, p.high, ray.axis.quantity, units, {"", " and ", ""}, 6);
+    return ray.reason == Reason::none ? text : text + ": " + reason_text(ray.reason);
+}
+
 }  // namespace
 
 std::string direction_text(int direction, BoundaryKind kind)
@@ -109,7 +118,7 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
     std::string text = kind + " along " + ray.axis.symbol + " at ";
     for (const auto& p : ray.points)
         text += (&p == &ray.points.front() ? "" : ", ") + with_unit(p.value, ray.axis.quantity, units, 8) + " (" +
-                direction_text(p.direction, ray.kind) + ")";
+                direction_text(p.direction, ray.kind) + open_text(ray, p, units) + ")";
     return text + ".";
 }
 

@@ -49,10 +49,11 @@ double side_of_outcome(Outcome outcome)
     }
 }
 
-/// Whether a motion that was watched for more turns could end otherwise: not where none could be followed, and not
-/// where the work ran out before the turns.
-bool more_turns_may_decide(const NonlinearVerdict& v)
+/// Whether a motion that was watched for more turns could end otherwise: not where none could be followed, not where
+/// the work ran out before the turns, and not where an encoder or noise leaves no turns to count.
+bool more_turns_may_decide(const Joint& joint, const NonlinearVerdict& v)
 {
+    if (joint.sensor.encoder_quantum > 0 || joint.sensor.position_noise > 0) return false;
     return v.outcome == Outcome::undecided && v.reason == Reason::not_converged && v.detail != Detail::limit_of_work;
 }
 
@@ -63,7 +64,7 @@ std::vector<double> sides_of_real_loops(std::span<const Joint* const> joints, No
     options.turn_limit *= patience;
     std::vector<double> sides;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (more_turns_may_decide(verdicts[i])) verdicts[i] = nonlinear_verdict(*joints[i], options);
+        if (more_turns_may_decide(*joints[i], verdicts[i])) verdicts[i] = nonlinear_verdict(*joints[i], options);
         sides.push_back(side_of_outcome(verdicts[i].outcome));
     }
     return sides;

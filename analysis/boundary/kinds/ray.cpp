@@ -3,6 +3,7 @@
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/kinds/outcome.h"
+#include "analysis/boundary/kinds/undecided_gap.h"
 #include "analysis/boundary/trace/climb.h"
 #include "analysis/boundary/trace/follow.h"
 #include "analysis/boundary/trace/locate.h"
@@ -39,6 +40,7 @@ class Ray {
             neutral += neutral_at(i);
             if (i + 1 < n && !neutral_at(i) && !neutral_at(i + 1))
                 bracket(values_[i], sides_[i], values_[i + 1], sides_[i + 1]);
+            if (!is_linear(request_.kind)) bracket_undecided(i);
             if (neutral_at(i) && (i == 0 || !neutral_at(i - 1))) {
                 std::size_t last = i;
                 while (last + 1 < n && neutral_at(last + 1)) ++last;
@@ -111,6 +113,7 @@ class Ray {
     void bracket(double a, double fa, double b, double fb)
     {
         if (std::isnan(fa) || std::isnan(fb) || (fa < 0) == (fb < 0)) return;
+        if (!is_linear(request_.kind)) return halve({a, b}, fa);
         const bool by_growth = is_told_by_count(joint_at(b), request_.kind) && narrow(a, fa, b, fb);
         const auto measure = [&](double v) { return by_growth ? growth(v) : side(v); };
         auto root = bracketed_root(measure, a, fa, b, fb, request_.precision, unit_.least_width());
@@ -119,8 +122,33 @@ class Ray {
             side(0) == 0)
             root.low = std::min(root.low, 0.0), root.high = std::max(root.high, 0.0), root.value = 0;
         ray_.evaluations += root.evaluations;
-        ray_.points.push_back({root.value, root.low, root.high, fb > fa ? 1 : -1, root.converged, root.evaluations,
-                               is_linear(request_.kind) ? LocationMethod::interpolation : LocationMethod::bisection});
+        ray_.points.push_back({root.value, root.low, root.high, fb > fa ? 1 : -1, root.converged, root.evaluations});
+    }
+
+    /// Node `i` and the next one that has a verdict lie on opposite sides, and nodes between them have none.
+    void bracket_undecided(std::size_t i)
+    {
+        std::size_t next = i + 1;
+        while (next < sides_.size() && std::isnan(sides_[next])) ++next;
+        if (std::isnan(sides_[i]) || next == i + 1 || next == sides_.size()) return;
+        if ((sides_[i] < 0) == (sides_[next] < 0)) return;
+        halve({values_[i], values_[next], values_[i + 1], values_[next - 1]}, sides_[i]);
+    }
+
+    /// Where only the side is known. Where the change cannot be told from values without a verdict, these are reported.
+    void halve(SideGap gap, double side_of_low)
+    {
+        const auto width = [&](double value) { return std::max(request_.precision * value, unit_.least_width()); };
+        gap = closed_in([&](double v) { return side(v); }, gap, side_of_low, width);
+        ray_.evaluations += gap.evaluations;
+        BoundaryPoint point;
+        point.value = 0.5 * (gap.low + gap.high), point.low = gap.low, point.high = gap.high;
+        point.direction = side_of_low < 0 ? 1 : -1;
+        point.converged = gap.high - gap.low <= width(std::max(std::abs(gap.low), std::abs(gap.high)));
+        point.evaluations = gap.evaluations, point.method = LocationMethod::bisection;
+        if (!point.converged && ray_.reason == Reason::none && !std::isnan(gap.open_low))
+            ray_.reason = reason_without_side(joint_at(gap.open_low), request_);
+        ray_.points.push_back(point);
     }
 
     /// Nodes from `first` to `last` are neutral, those beside them not. A boundary lies there if stability changes

@@ -50,10 +50,8 @@ UnevenFollow::UnevenFollow(const UnevenOptions& options) : o_(options)
 
 Stretch UnevenFollow::newest(std::size_t count, std::size_t skip) const
 {
-    Stretch sum;
-    const auto end = panes_.end() - static_cast<std::ptrdiff_t>(skip);
-    for (auto p = end - static_cast<std::ptrdiff_t>(count); p != end; ++p) sum.add(*p);
-    return sum;
+    const std::size_t end = panes_.size() - skip;
+    return panes_.sum(end - count, end);
 }
 
 UnevenFollow::Three UnevenFollow::three(std::size_t count) const
@@ -190,7 +188,7 @@ void UnevenFollow::follow_round(const LoopTurn& tick)
     if (last_size_ == last_size_) round.changes = (size - last_size_) * (size - last_size_);
     last_size_ = size;
     round.first_round = round.last_round = time;
-    panes_.back().add(round);
+    panes_.newest().add(round);
     rising_ = true, top_ = tick.position_max;
 }
 
@@ -201,11 +199,12 @@ std::optional<LoopEnd> UnevenFollow::after_tick(const LoopTurn& extrema)
     const bool slow = extrema.rest_time > 0;
     tick.rests = slow && !slow_;
     slow_ = slow;
-    if (ticks_ % pane_ == 0) panes_.emplace_back();
+    if (ticks_ % pane_ == 0) panes_.begin();
     ++ticks_;
-    panes_.back().add(tick);
+    panes_.newest().add(tick);
     follow_round(extrema);
     if (ticks_ % pane_ != 0) return {};
+    panes_.complete();
     turns_back_ = newest(std::min(panes_.size(), first_panes)).outer.amplitude();
     if (auto end = decide()) return end;
     const double at_most =

@@ -1,10 +1,9 @@
 // Where a motion ends that an encoder or noise disturbs at every tick: no turn repeats, and stretches of it tell.
 #pragma once
 #include "analysis/simulation/sampled/cycles/loop_end.h"
-#include "analysis/simulation/sampled/cycles/stretch.h"
+#include "analysis/simulation/sampled/cycles/panes.h"
 
 #include <optional>
-#include <vector>
 
 namespace stickslip {
 
@@ -61,7 +60,7 @@ class UnevenFollow {
 
     UnevenOptions o_;
     long pane_ = 0;  ///< ticks
-    std::vector<Stretch> panes_;
+    Panes panes_;
     long ticks_ = 0;
     bool slow_ = false;
     double last_size_ = missing;  ///< of a round

@@ -1,4 +1,5 @@
 // Levenberg-Marquardt over a block of parameters, as named steps.
+// In one file: the steps of one descent, and what it knows between them.
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/residuals.h"
@@ -24,6 +25,8 @@ constexpr double longest_in_logarithm = 1.5;
 /// The first trial mostly succeeds; where it fails the more damped ones go side by side.
 constexpr int first_trials = 1, other_trials = 4;
 constexpr double least_fall = 2e-4;  // of the objective in one step: less is its end
+/// Slopes beyond a trial go along with it where they fill lanes that it would leave empty: as many predictions in all.
+constexpr std::size_t most_along = 16;
 
 class Descent {
   public:
@@ -32,7 +35,10 @@ class Descent {
     {
         at_.x = bounded(candidate_, std::move(x));
         at_.information = Eigen::MatrixXd::Zero(size(), size());
-        at_.evaluation = evaluated();
+        auto seen = look({at_.x}, alongside(1, 0));
+        residuals_.swap(seen.residuals[0]);
+        ahead_ = std::move(seen.moved);
+        at_.evaluation = evaluated(residuals_, at_.x);
         jacobian_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residuals_.size()), size());
         came_from_ = at_.x;
         for (Eigen::Index i = 0; i < size(); ++i)
@@ -68,12 +74,70 @@ class Descent {
         return {residuals_.data(), static_cast<Eigen::Index>(residuals_.size())};
     }
 
-    Evaluation evaluated()
+    Evaluation evaluated(const std::vector<double>& residuals, const Eigen::VectorXd& x)
     {
-        auto found = problem_.at(at_.x, &residuals_);
-        found.objective += prior_cost(candidate_, at_.x);
+        auto found = judged(problem_.cases, residuals);
+        found.objective += prior_cost(candidate_, x);
         ++at_.evaluations;
         return found;
+    }
+
+    /// By how much a parameter is moved to find its slope at x.
+    double step_of(const Eigen::VectorXd& x, Eigen::Index i) const
+    {
+        double step = candidate_.is_rough(static_cast<std::size_t>(i)) ? wide_slope_step : slope_step;
+        if (!parameter(i).logarithmic) step *= std::max(least_usual, std::abs(parameter(i).prior));
+        Eigen::VectorXd shifted = x;
+        shifted[i] += step;
+        return bounded(candidate_, shifted)[i] != shifted[i] ? -step : step;
+    }
+    Place moved(const Eigen::VectorXd& x, Eigen::Index i) const
+    {
+        Eigen::VectorXd shifted = x;
+        // the same two roundings whichever way it goes
+        const double step = step_of(x, i);
+        shifted[i] += std::abs(step);
+        if (step < 0) shifted[i] += 2 * step;
+        return {problem_.si(shifted), problem_.omega, static_cast<std::size_t>(i)};
+    }
+    /// The parameters whose slopes are found at this age of the equations.
+    std::vector<Eigen::Index> due(int age) const
+    {
+        std::vector<Eigen::Index> all;
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const auto number = static_cast<std::size_t>(i);
+            if (!kept_.empty() && kept_[number]) continue;
+            if (age == 0 || !(candidate_.sd_of(number) > 0)) all.push_back(i);
+        }
+        return all;
+    }
+    /// Those of them that go along with so many places; what is one record's own needs the others' residuals first.
+    std::vector<Eigen::Index> alongside(std::size_t places, int age) const
+    {
+        auto along = due(age);
+        std::erase_if(along, [&](Eigen::Index i) {
+            return problem_.cases.size() > 1 && record_of(candidate_, static_cast<std::size_t>(i));
+        });
+        if ((along.size() + places) * problem_.cases.size() > most_along) along.clear();
+        return along;
+    }
+
+    struct Looked {
+        std::vector<std::vector<double>> residuals;  ///< at every place
+        std::vector<std::vector<double>> moved;      ///< at the first one with a parameter moved; empty: not known
+    };
+    /// At some places and, beside the first, with each of these parameters moved, all in one go.
+    Looked look(const std::vector<Eigen::VectorXd>& at, const std::vector<Eigen::Index>& along) const
+    {
+        std::vector<Place> places;
+        for (const auto& x : at) places.push_back({problem_.si(x), problem_.omega});
+        for (const auto i : along) places.push_back(moved(at[0], i));
+        Looked looked{residuals_at(problem_.cases, candidate_, places), {}};
+        looked.moved.resize(static_cast<std::size_t>(size()));
+        for (std::size_t k = 0; k < along.size(); ++k)
+            looked.moved[static_cast<std::size_t>(along[k])].swap(looked.residuals[at.size() + k]);
+        looked.residuals.resize(at.size());
+        return looked;
     }
 
     void find_slopes()
@@ -81,7 +145,10 @@ class Descent {
         for (Eigen::Index lost; (lost = slopes_here()) < size() && halvings_ < most_halvings; ++halvings_) {
             // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
             at_.x[lost] = 0.5 * (at_.x[lost] + came_from_[lost]);
-            at_.evaluation = evaluated();
+            auto seen = look({at_.x}, alongside(1, age_));
+            residuals_.swap(seen.residuals[0]);
+            ahead_ = std::move(seen.moved);
+            at_.evaluation = evaluated(residuals_, at_.x);
         }
     }
 
@@ -89,30 +156,21 @@ class Descent {
     /// way here, or their number.
     Eigen::Index slopes_here()
     {
+        const auto wanted = due(age_);
         std::vector<Place> places;
-        std::vector<double> steps;
-        for (Eigen::Index i = 0; i < size(); ++i) {
-            const auto number = static_cast<std::size_t>(i);
-            if (!kept_.empty() && kept_[number]) continue;
-            if (age_ > 0 && candidate_.sd_of(number) > 0) continue;
-            double step = candidate_.is_rough(number) ? wide_slope_step : slope_step;
-            if (!parameter(i).logarithmic) step *= std::max(least_usual, std::abs(parameter(i).prior));
-            Eigen::VectorXd shifted = at_.x;
-            shifted[i] += step;
-            if (bounded(candidate_, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
-            places.push_back({problem_.si(shifted), problem_.omega, number});
-            steps.push_back(step);
-        }
+        for (const auto i : wanted)
+            if (ahead_[static_cast<std::size_t>(i)].empty()) places.push_back(moved(at_.x, i));
+        auto found = residuals_at(problem_.cases, candidate_, places, &residuals_);
+        for (std::size_t k = 0; k < places.size(); ++k) ahead_[places[k].moved].swap(found[k]);
         const auto r = residuals();
-        const auto moved = residuals_at(problem_.cases, candidate_, places, &residuals_);
         Eigen::Index lost = size();
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto i = static_cast<Eigen::Index>(places[k].moved);
-            jacobian_.col(i) = (Eigen::Map<const Eigen::VectorXd>(moved[k].data(), r.size()) - r) / steps[k];
+        for (const auto i : wanted) {
+            const auto& there = ahead_[static_cast<std::size_t>(i)];
+            jacobian_.col(i) = (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step_of(at_.x, i);
             if (lost == size() && parameter(i).vanishes && came_from_[i] != at_.x[i] && jacobian_.col(i).isZero(0))
                 lost = i;
         }
-        at_.evaluations += static_cast<int>(places.size());
+        at_.evaluations += static_cast<int>(wanted.size());
         return lost;
     }
 
@@ -146,20 +204,27 @@ class Descent {
         return bounded(candidate_, at_.x + step);
     }
 
+    /// The age that the equations come to if a step succeeds and is not the last.
+    int next_age() const { return age_ + 1 == worn_after || !(candidate_.prior_weight > 0) ? 0 : age_ + 1; }
+    /// Whether the equations say that a step to here is the last.
+    bool seems_last(const Eigen::VectorXd& next) const
+    {
+        const Eigen::VectorXd step = next - at_.x;
+        const double fall = -step.dot(2 * gradient_ + normal_ * step) / static_cast<double>(problem_.cases.size());
+        return fall < least_fall * at_.evaluation.objective;
+    }
+
     /// Takes the first of `count` steps, each damped more, that lowers the objective.
     bool try_steps(int count)
     {
-        std::vector<Place> places;
         std::vector<Eigen::VectorXd> next;
-        for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder) {
+        for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder)
             next.push_back(damped_step(by));
-            places.push_back({problem_.si(next.back()), problem_.omega});
-        }
-        auto there = residuals_at(problem_.cases, candidate_, places);
+        // slopes found along with a step are those of the next, unless it fails or is the last
+        const bool along = count == 1 && !seems_last(next[0]);
+        auto there = look(next, along ? alongside(1, next_age()) : std::vector<Eigen::Index>());
         for (std::size_t k = 0; k < next.size(); ++k) {
-            ++at_.evaluations;
-            auto trial = judged(problem_.cases, there[k]);
-            trial.objective += prior_cost(candidate_, next[k]);
+            auto trial = evaluated(there.residuals[k], next[k]);
             if (!(trial.objective < at_.evaluation.objective)) {
                 damping_ = std::max(usual_damping, damping_) * harder;
                 continue;
@@ -167,7 +232,8 @@ class Descent {
             came_from_ = at_.x;
             at_.x = next[k];
             at_.evaluation = std::move(trial);
-            residuals_.swap(there[k]);
+            residuals_.swap(there.residuals[k]);
+            ahead_ = std::move(there.moved);
             damping_ = std::max(least_damping, damping_ * easier);
             return true;
         }
@@ -184,7 +250,8 @@ class Descent {
     const Kept& kept_;
     LevelFit at_, best_;
     std::vector<double> residuals_, weights_;
-    Eigen::VectorXd came_from_;  ///< where the last step came from; at first, where the effect is absent
+    std::vector<std::vector<double>> ahead_;  ///< of each parameter, what is left here with it moved; empty: not known
+    Eigen::VectorXd came_from_;               ///< where the last step came from; at first, where the effect is absent
     Eigen::MatrixXd jacobian_, normal_;
     Eigen::VectorXd gradient_;
     double damping_ = usual_damping;

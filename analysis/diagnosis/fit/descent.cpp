@@ -2,7 +2,7 @@
 // In one file: the steps of one descent, and what it knows between them.
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/problem.h"
-#include "analysis/diagnosis/fit/residuals.h"
+#include "analysis/diagnosis/fit/side_by_side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,36 +25,36 @@ constexpr double longest_in_logarithm = 1.5;
 /// The first trial mostly succeeds; where it fails the more damped ones go side by side.
 constexpr int first_trials = 1, other_trials = 4;
 constexpr double least_fall = 2e-4;  // of the objective in one step: less is its end
-/// Slopes beyond a trial go along with it where they fill lanes that it would leave empty: as many predictions in all.
-constexpr std::size_t most_along = 16;
 
 class Descent {
   public:
-    Descent(const FitProblem& problem, Eigen::VectorXd x, const Kept& kept)
-        : problem_(problem), candidate_(problem.candidate), kept_(kept)
+    Descent(const FitProblem& problem, Eigen::VectorXd x, Kept kept)
+        : problem_(problem), candidate_(problem.candidate), kept_(std::move(kept))
     {
         at_.x = bounded(candidate_, std::move(x));
         at_.information = Eigen::MatrixXd::Zero(size(), size());
-        auto seen = look({at_.x}, alongside(1, 0));
-        residuals_.swap(seen.residuals[0]);
-        ahead_ = std::move(seen.moved);
-        at_.evaluation = evaluated(residuals_, at_.x);
+    }
+
+    /// Has to come first; gives the objective at the start.
+    Fitting<double> begin()
+    {
+        co_await looked_here(0);
         jacobian_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residuals_.size()), size());
         came_from_ = at_.x;
         for (Eigen::Index i = 0; i < size(); ++i)
             if (parameter(i).vanishes) came_from_[i] = 0;
         best_ = at_;
+        co_return at_.evaluation.objective;
     }
 
-    double objective() const { return at_.evaluation.objective; }
-
-    LevelFit run(int iterations)
+    Fitting<LevelFit> run(int iterations)
     {
         for (int iteration = 0; iteration < iterations && size() > 0; ++iteration) {
-            find_slopes();
+            co_await found_slopes();
             set_up_equations();
             const double before = at_.evaluation.objective;
-            const bool better = try_steps(first_trials) || try_steps(other_trials);
+            bool better = co_await tried(first_trials);
+            if (!better) better = co_await tried(other_trials);
             keep_best();
             const bool done = !better || before - at_.evaluation.objective < least_fall * before;
             if (done && age_ == 0) break;
@@ -63,7 +63,7 @@ class Descent {
             age_ = renew ? 0 : age_ + 1;
         }
         best_.evaluations = at_.evaluations;
-        return best_;
+        co_return best_;
     }
 
   private:
@@ -111,57 +111,58 @@ class Descent {
         }
         return all;
     }
-    /// Those of them that go along with so many places; what is one record's own needs the others' residuals first.
-    std::vector<Eigen::Index> alongside(std::size_t places, int age) const
+    /// Looks at some places and, along with the first, at what its slopes of this age need; nothing: no slopes.
+    Asked question(const std::vector<Eigen::VectorXd>& at, std::optional<int> age) const
     {
-        auto along = due(age);
-        std::erase_if(along, [&](Eigen::Index i) {
-            return problem_.cases.size() > 1 && record_of(candidate_, static_cast<std::size_t>(i));
-        });
-        if ((along.size() + places) * problem_.cases.size() > most_along) along.clear();
-        return along;
+        Asked asked{{&problem_.cases, &candidate_, {}, at.size(), true}};
+        for (const auto& x : at) asked.places.push_back({problem_.si(x), problem_.omega});
+        if (!age) return asked;
+        // what is one record's own needs the residuals of the others first
+        for (const auto i : due(*age))
+            if (problem_.cases.size() == 1 || !record_of(candidate_, static_cast<std::size_t>(i)))
+                asked.places.push_back(moved(at[0], i));
+        return asked;
+    }
+    /// Takes over what is known at a place, and with a parameter moved.
+    void know(Asked& asked, std::size_t place)
+    {
+        residuals_.swap(asked.answers[place]);
+        ahead_.assign(static_cast<std::size_t>(size()), {});
+        for (std::size_t k = asked.needed; k < asked.places.size(); ++k)
+            if (place == 0) ahead_[asked.places[k].moved].swap(asked.answers[k]);
+    }
+    Fitting<bool> looked_here(int age)
+    {
+        Asked here = question({at_.x}, age);
+        co_await here;
+        know(here, 0);
+        at_.evaluation = evaluated(residuals_, at_.x);
+        co_return true;
     }
 
-    struct Looked {
-        std::vector<std::vector<double>> residuals;  ///< at every place
-        std::vector<std::vector<double>> moved;      ///< at the first one with a parameter moved; empty: not known
-    };
-    /// At some places and, beside the first, with each of these parameters moved, all in one go.
-    Looked look(const std::vector<Eigen::VectorXd>& at, const std::vector<Eigen::Index>& along) const
+    Fitting<bool> found_slopes()
     {
-        std::vector<Place> places;
-        for (const auto& x : at) places.push_back({problem_.si(x), problem_.omega});
-        for (const auto i : along) places.push_back(moved(at[0], i));
-        Looked looked{residuals_at(problem_.cases, candidate_, places), {}};
-        looked.moved.resize(static_cast<std::size_t>(size()));
-        for (std::size_t k = 0; k < along.size(); ++k)
-            looked.moved[static_cast<std::size_t>(along[k])].swap(looked.residuals[at.size() + k]);
-        looked.residuals.resize(at.size());
-        return looked;
-    }
-
-    void find_slopes()
-    {
-        for (Eigen::Index lost; (lost = slopes_here()) < size() && halvings_ < most_halvings; ++halvings_) {
+        for (; halvings_ <= most_halvings; ++halvings_) {
+            const Eigen::Index lost = co_await slopes_here();
+            if (lost == size() || halvings_ == most_halvings) break;
             // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
             at_.x[lost] = 0.5 * (at_.x[lost] + came_from_[lost]);
-            auto seen = look({at_.x}, alongside(1, age_));
-            residuals_.swap(seen.residuals[0]);
-            ahead_ = std::move(seen.moved);
-            at_.evaluation = evaluated(residuals_, at_.x);
+            co_await looked_here(age_);
         }
+        co_return true;
     }
 
     /// Finds the slopes that are due by differences; gives the first parameter that has lost all of its effect on the
     /// way here, or their number.
-    Eigen::Index slopes_here()
+    Fitting<Eigen::Index> slopes_here()
     {
         const auto wanted = due(age_);
-        std::vector<Place> places;
+        Asked asked{{&problem_.cases, &candidate_, {}, 0, true, &residuals_}};
         for (const auto i : wanted)
-            if (ahead_[static_cast<std::size_t>(i)].empty()) places.push_back(moved(at_.x, i));
-        auto found = residuals_at(problem_.cases, candidate_, places, &residuals_);
-        for (std::size_t k = 0; k < places.size(); ++k) ahead_[places[k].moved].swap(found[k]);
+            if (ahead_[static_cast<std::size_t>(i)].empty()) asked.places.push_back(moved(at_.x, i));
+        asked.needed = asked.places.size();
+        co_await asked;
+        for (std::size_t k = 0; k < asked.places.size(); ++k) ahead_[asked.places[k].moved].swap(asked.answers[k]);
         const auto r = residuals();
         Eigen::Index lost = size();
         for (const auto i : wanted) {
@@ -171,7 +172,7 @@ class Descent {
                 lost = i;
         }
         at_.evaluations += static_cast<int>(wanted.size());
-        return lost;
+        co_return lost;
     }
 
     void set_up_equations()
@@ -215,16 +216,17 @@ class Descent {
     }
 
     /// Takes the first of `count` steps, each damped more, that lowers the objective.
-    bool try_steps(int count)
+    Fitting<bool> tried(int count)
     {
         std::vector<Eigen::VectorXd> next;
         for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder)
             next.push_back(damped_step(by));
         // slopes found along with a step are those of the next, unless it fails or is the last
         const bool along = count == 1 && !seems_last(next[0]);
-        auto there = look(next, along ? alongside(1, next_age()) : std::vector<Eigen::Index>());
+        Asked there = question(next, along ? std::optional(next_age()) : std::nullopt);
+        co_await there;
         for (std::size_t k = 0; k < next.size(); ++k) {
-            auto trial = evaluated(there.residuals[k], next[k]);
+            auto trial = evaluated(there.answers[k], next[k]);
             if (!(trial.objective < at_.evaluation.objective)) {
                 damping_ = std::max(usual_damping, damping_) * harder;
                 continue;
@@ -232,12 +234,11 @@ class Descent {
             came_from_ = at_.x;
             at_.x = next[k];
             at_.evaluation = std::move(trial);
-            residuals_.swap(there.residuals[k]);
-            ahead_ = std::move(there.moved);
+            know(there, k);
             damping_ = std::max(least_damping, damping_ * easier);
-            return true;
+            co_return true;
         }
-        return false;
+        co_return false;
     }
 
     void keep_best()
@@ -245,9 +246,9 @@ class Descent {
         if (at_.evaluation.objective <= best_.evaluation.objective) best_ = at_;
     }
 
-    const FitProblem& problem_;
+    const FitProblem problem_;
     const Candidate& candidate_;
-    const Kept& kept_;
+    const Kept kept_;
     LevelFit at_, best_;
     std::vector<double> residuals_, weights_;
     std::vector<std::vector<double>> ahead_;  ///< of each parameter, what is left here with it moved; empty: not known
@@ -271,9 +272,11 @@ std::optional<double> across_a_jump(double x)
 
 }  // namespace
 
-LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, const Kept& kept)
+Fitting<LevelFit> descending(FitProblem problem, Eigen::VectorXd x, int iterations, Kept kept)
 {
-    LevelFit fit = Descent(problem, std::move(x), kept).run(iterations);
+    Descent first(problem, std::move(x), kept);
+    co_await first.begin();
+    LevelFit fit = co_await first.run(iterations);
     for (std::size_t i = 0; i < problem.candidate.parameter_count() && iterations > 1; ++i) {
         const auto at = static_cast<Eigen::Index>(i);
         if (!problem.candidate.parameter(i).jumps || (!kept.empty() && kept[i])) continue;
@@ -285,13 +288,19 @@ LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, c
         Eigen::VectorXd there = fit.x;
         there[at] = *other;
         Descent descent(problem, there, beside);
+        const double objective = co_await descent.begin();
         ++fit.evaluations;
-        if (!(descent.objective() < fit.evaluation.objective)) continue;
+        if (!(objective < fit.evaluation.objective)) continue;
         const int before = fit.evaluations;
-        fit = descent.run(iterations);
+        fit = co_await descent.run(iterations);
         fit.evaluations += before;
     }
-    return fit;
+    co_return fit;
+}
+
+LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, const Kept& kept)
+{
+    return alone(descending(problem, std::move(x), iterations, kept));
 }
 
 }  // namespace stickslip::gap

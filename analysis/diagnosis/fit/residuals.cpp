@@ -89,7 +89,9 @@ class Predictions {
         for (const auto& look : looks) {
             const auto* known = look.question->known;
             auto& scaled = look.question->answers[look.place];
-            if (known) scaled.reserve(known->size());
+            std::size_t count = 0;
+            for (const auto& c : *look.question->cases) count += residual_count(c);
+            scaled.reserve(count);
             for (const auto& c : *look.question->cases) {
                 if (look.needs(c)) {
                     append_residuals(c, look.at().omega, *innovation++, scaled);

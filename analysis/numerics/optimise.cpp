@@ -84,6 +84,25 @@ std::vector<double> minimum(const Minimisation& problem, const Objective& object
     return x;
 }
 
+std::optional<std::vector<double>> next_point(const Minimisation& search, const std::vector<double>& start,
+                                              const std::vector<double>& values)
+{
+    struct Asks {
+        std::vector<double> where;
+    };
+    std::size_t known = 0;
+    const Objective told = [&](const std::vector<double>& x) {
+        if (known == values.size()) throw Asks{x};
+        return values[known++];
+    };
+    try {
+        minimum(search, told, start);
+    } catch (const Asks& asks) {
+        return asks.where;
+    }
+    return std::nullopt;
+}
+
 std::vector<double> global_minimum(const Objective& objective, const Bounds& bounds, int evaluations)
 {
     std::vector<double> middle;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace stickslip {
@@ -28,6 +29,12 @@ struct Minimisation {
 
 /// The best point that a run finds from `start`; one that ends by rounding or at its limit of work has found one too.
 std::vector<double> minimum(const Minimisation& search, const Objective& objective, std::vector<double> start);
+
+/// The next point at which a run from `start` asks for a value, given those at all points before; nothing where these
+/// end it. A run costs nothing beside a value, and goes on here as often as it is asked: so its values may come from
+/// elsewhere, and what it would ask next is known before they do.
+std::optional<std::vector<double>> next_point(const Minimisation& search, const std::vector<double>& start,
+                                              const std::vector<double>& values);
 
 /// DIRECT-L over the whole box, without derivatives.
 std::vector<double> global_minimum(const Objective& objective, const Bounds& bounds, int evaluations);

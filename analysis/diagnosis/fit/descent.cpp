@@ -1,7 +1,8 @@
 // Levenberg-Marquardt over a block of parameters, as named steps.
+// In one file: the steps of one descent, and what it knows between them.
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/problem.h"
-#include "analysis/diagnosis/fit/residuals.h"
+#include "analysis/diagnosis/fit/side_by_side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,28 +28,33 @@ constexpr double least_fall = 2e-4;  // of the objective in one step: less is it
 
 class Descent {
   public:
-    Descent(const FitProblem& problem, Eigen::VectorXd x, const Kept& kept)
-        : problem_(problem), candidate_(problem.candidate), kept_(kept)
+    Descent(const FitProblem& problem, Eigen::VectorXd x, Kept kept)
+        : problem_(problem), candidate_(problem.candidate), kept_(std::move(kept))
     {
         at_.x = bounded(candidate_, std::move(x));
         at_.information = Eigen::MatrixXd::Zero(size(), size());
-        at_.evaluation = evaluated();
+    }
+
+    /// Has to come first; gives the objective at the start.
+    Fitting<double> begin()
+    {
+        co_await looked_here(0);
         jacobian_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residuals_.size()), size());
         came_from_ = at_.x;
         for (Eigen::Index i = 0; i < size(); ++i)
             if (parameter(i).vanishes) came_from_[i] = 0;
         best_ = at_;
+        co_return at_.evaluation.objective;
     }
 
-    double objective() const { return at_.evaluation.objective; }
-
-    LevelFit run(int iterations)
+    Fitting<LevelFit> run(int iterations)
     {
         for (int iteration = 0; iteration < iterations && size() > 0; ++iteration) {
-            find_slopes();
+            co_await found_slopes();
             set_up_equations();
             const double before = at_.evaluation.objective;
-            const bool better = try_steps(first_trials) || try_steps(other_trials);
+            bool better = co_await tried(first_trials);
+            if (!better) better = co_await tried(other_trials);
             keep_best();
             const bool done = !better || before - at_.evaluation.objective < least_fall * before;
             if (done && age_ == 0) break;
@@ -57,7 +63,7 @@ class Descent {
             age_ = renew ? 0 : age_ + 1;
         }
         best_.evaluations = at_.evaluations;
-        return best_;
+        co_return best_;
     }
 
   private:
@@ -68,52 +74,105 @@ class Descent {
         return {residuals_.data(), static_cast<Eigen::Index>(residuals_.size())};
     }
 
-    Evaluation evaluated()
+    Evaluation evaluated(const std::vector<double>& residuals, const Eigen::VectorXd& x)
     {
-        auto found = problem_.at(at_.x, &residuals_);
-        found.objective += prior_cost(candidate_, at_.x);
+        auto found = judged(problem_.cases, residuals);
+        found.objective += prior_cost(candidate_, x);
         ++at_.evaluations;
         return found;
     }
 
-    void find_slopes()
+    /// By how much a parameter is moved to find its slope at x.
+    double step_of(const Eigen::VectorXd& x, Eigen::Index i) const
     {
-        for (Eigen::Index lost; (lost = slopes_here()) < size() && halvings_ < most_halvings; ++halvings_) {
+        double step = candidate_.is_rough(static_cast<std::size_t>(i)) ? wide_slope_step : slope_step;
+        if (!parameter(i).logarithmic) step *= std::max(least_usual, std::abs(parameter(i).prior));
+        Eigen::VectorXd shifted = x;
+        shifted[i] += step;
+        return bounded(candidate_, shifted)[i] != shifted[i] ? -step : step;
+    }
+    Place moved(const Eigen::VectorXd& x, Eigen::Index i) const
+    {
+        Eigen::VectorXd shifted = x;
+        // the same two roundings whichever way it goes
+        const double step = step_of(x, i);
+        shifted[i] += std::abs(step);
+        if (step < 0) shifted[i] += 2 * step;
+        return {problem_.si(shifted), problem_.omega, static_cast<std::size_t>(i)};
+    }
+    /// The parameters whose slopes are found at this age of the equations.
+    std::vector<Eigen::Index> due(int age) const
+    {
+        std::vector<Eigen::Index> all;
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const auto number = static_cast<std::size_t>(i);
+            if (!kept_.empty() && kept_[number]) continue;
+            if (age == 0 || !(candidate_.sd_of(number) > 0)) all.push_back(i);
+        }
+        return all;
+    }
+    /// Looks at some places and, along with the first, at what its slopes of this age need; nothing: no slopes.
+    Asked question(const std::vector<Eigen::VectorXd>& at, std::optional<int> age) const
+    {
+        Asked asked{{&problem_.cases, &candidate_, {}, at.size(), true}};
+        for (const auto& x : at) asked.places.push_back({problem_.si(x), problem_.omega});
+        if (!age) return asked;
+        // what is one record's own needs the residuals of the others first
+        for (const auto i : due(*age))
+            if (problem_.cases.size() == 1 || !record_of(candidate_, static_cast<std::size_t>(i)))
+                asked.places.push_back(moved(at[0], i));
+        return asked;
+    }
+    /// Takes over what is known at a place, and with a parameter moved.
+    void know(Asked& asked, std::size_t place)
+    {
+        residuals_.swap(asked.answers[place]);
+        ahead_.assign(static_cast<std::size_t>(size()), {});
+        for (std::size_t k = asked.needed; k < asked.places.size(); ++k)
+            if (place == 0) ahead_[asked.places[k].moved].swap(asked.answers[k]);
+    }
+    Fitting<bool> looked_here(int age)
+    {
+        Asked here = question({at_.x}, age);
+        co_await here;
+        know(here, 0);
+        at_.evaluation = evaluated(residuals_, at_.x);
+        co_return true;
+    }
+
+    Fitting<bool> found_slopes()
+    {
+        for (; halvings_ <= most_halvings; ++halvings_) {
+            const Eigen::Index lost = co_await slopes_here();
+            if (lost == size() || halvings_ == most_halvings) break;
             // friction that has been taken away altogether has no slope that leads back: half way, and all slopes anew
             at_.x[lost] = 0.5 * (at_.x[lost] + came_from_[lost]);
-            at_.evaluation = evaluated();
+            co_await looked_here(age_);
         }
+        co_return true;
     }
 
     /// Finds the slopes that are due by differences; gives the first parameter that has lost all of its effect on the
     /// way here, or their number.
-    Eigen::Index slopes_here()
+    Fitting<Eigen::Index> slopes_here()
     {
-        std::vector<Place> places;
-        std::vector<double> steps;
-        for (Eigen::Index i = 0; i < size(); ++i) {
-            const auto number = static_cast<std::size_t>(i);
-            if (!kept_.empty() && kept_[number]) continue;
-            if (age_ > 0 && candidate_.sd_of(number) > 0) continue;
-            double step = candidate_.is_rough(number) ? wide_slope_step : slope_step;
-            if (!parameter(i).logarithmic) step *= std::max(least_usual, std::abs(parameter(i).prior));
-            Eigen::VectorXd shifted = at_.x;
-            shifted[i] += step;
-            if (bounded(candidate_, shifted)[i] != shifted[i]) shifted[i] -= 2 * step, step = -step;
-            places.push_back({problem_.si(shifted), problem_.omega, number});
-            steps.push_back(step);
-        }
+        const auto wanted = due(age_);
+        Asked asked{{&problem_.cases, &candidate_, {}, 0, true, &residuals_}};
+        for (const auto i : wanted)
+            if (ahead_[static_cast<std::size_t>(i)].empty()) asked.places.push_back(moved(at_.x, i));
+        asked.needed = asked.places.size();
+        co_await asked;
+        for (std::size_t k = 0; k < asked.places.size(); ++k) ahead_[asked.places[k].moved].swap(asked.answers[k]);
         const auto r = residuals();
-        const auto moved = residuals_at(problem_.cases, candidate_, places, &residuals_);
         Eigen::Index lost = size();
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto i = static_cast<Eigen::Index>(places[k].moved);
-            jacobian_.col(i) = (Eigen::Map<const Eigen::VectorXd>(moved[k].data(), r.size()) - r) / steps[k];
+        for (const auto i : wanted) {
+            const auto& there = ahead_[static_cast<std::size_t>(i)];
+            jacobian_.col(i) = (Eigen::Map<const Eigen::VectorXd>(there.data(), r.size()) - r) / step_of(at_.x, i);
             if (lost == size() && parameter(i).vanishes && came_from_[i] != at_.x[i] && jacobian_.col(i).isZero(0))
                 lost = i;
         }
-        at_.evaluations += static_cast<int>(places.size());
-        return lost;
+        at_.evaluations += static_cast<int>(wanted.size());
+        co_return lost;
     }
 
     void set_up_equations()
@@ -146,20 +205,28 @@ class Descent {
         return bounded(candidate_, at_.x + step);
     }
 
-    /// Takes the first of `count` steps, each damped more, that lowers the objective.
-    bool try_steps(int count)
+    /// The age that the equations come to if a step succeeds and is not the last.
+    int next_age() const { return age_ + 1 == worn_after || !(candidate_.prior_weight > 0) ? 0 : age_ + 1; }
+    /// Whether the equations say that a step to here is the last.
+    bool seems_last(const Eigen::VectorXd& next) const
     {
-        std::vector<Place> places;
+        const Eigen::VectorXd step = next - at_.x;
+        const double fall = -step.dot(2 * gradient_ + normal_ * step) / static_cast<double>(problem_.cases.size());
+        return fall < least_fall * at_.evaluation.objective;
+    }
+
+    /// Takes the first of `count` steps, each damped more, that lowers the objective.
+    Fitting<bool> tried(int count)
+    {
         std::vector<Eigen::VectorXd> next;
-        for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder) {
+        for (double by = damping_; static_cast<int>(next.size()) < count; by = std::max(usual_damping, by) * harder)
             next.push_back(damped_step(by));
-            places.push_back({problem_.si(next.back()), problem_.omega});
-        }
-        auto there = residuals_at(problem_.cases, candidate_, places);
+        // slopes found along with a step are those of the next, unless it fails or is the last
+        const bool along = count == 1 && !seems_last(next[0]);
+        Asked there = question(next, along ? std::optional(next_age()) : std::nullopt);
+        co_await there;
         for (std::size_t k = 0; k < next.size(); ++k) {
-            ++at_.evaluations;
-            auto trial = judged(problem_.cases, there[k]);
-            trial.objective += prior_cost(candidate_, next[k]);
+            auto trial = evaluated(there.answers[k], next[k]);
             if (!(trial.objective < at_.evaluation.objective)) {
                 damping_ = std::max(usual_damping, damping_) * harder;
                 continue;
@@ -167,11 +234,11 @@ class Descent {
             came_from_ = at_.x;
             at_.x = next[k];
             at_.evaluation = std::move(trial);
-            residuals_.swap(there[k]);
+            know(there, k);
             damping_ = std::max(least_damping, damping_ * easier);
-            return true;
+            co_return true;
         }
-        return false;
+        co_return false;
     }
 
     void keep_best()
@@ -179,12 +246,13 @@ class Descent {
         if (at_.evaluation.objective <= best_.evaluation.objective) best_ = at_;
     }
 
-    const FitProblem& problem_;
+    const FitProblem problem_;
     const Candidate& candidate_;
-    const Kept& kept_;
+    const Kept kept_;
     LevelFit at_, best_;
     std::vector<double> residuals_, weights_;
-    Eigen::VectorXd came_from_;  ///< where the last step came from; at first, where the effect is absent
+    std::vector<std::vector<double>> ahead_;  ///< of each parameter, what is left here with it moved; empty: not known
+    Eigen::VectorXd came_from_;               ///< where the last step came from; at first, where the effect is absent
     Eigen::MatrixXd jacobian_, normal_;
     Eigen::VectorXd gradient_;
     double damping_ = usual_damping;
@@ -204,9 +272,11 @@ std::optional<double> across_a_jump(double x)
 
 }  // namespace
 
-LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, const Kept& kept)
+Fitting<LevelFit> descending(FitProblem problem, Eigen::VectorXd x, int iterations, Kept kept)
 {
-    LevelFit fit = Descent(problem, std::move(x), kept).run(iterations);
+    Descent first(problem, std::move(x), kept);
+    co_await first.begin();
+    LevelFit fit = co_await first.run(iterations);
     for (std::size_t i = 0; i < problem.candidate.parameter_count() && iterations > 1; ++i) {
         const auto at = static_cast<Eigen::Index>(i);
         if (!problem.candidate.parameter(i).jumps || (!kept.empty() && kept[i])) continue;
@@ -218,13 +288,19 @@ LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, c
         Eigen::VectorXd there = fit.x;
         there[at] = *other;
         Descent descent(problem, there, beside);
+        const double objective = co_await descent.begin();
         ++fit.evaluations;
-        if (!(descent.objective() < fit.evaluation.objective)) continue;
+        if (!(objective < fit.evaluation.objective)) continue;
         const int before = fit.evaluations;
-        fit = descent.run(iterations);
+        fit = co_await descent.run(iterations);
         fit.evaluations += before;
     }
-    return fit;
+    co_return fit;
+}
+
+LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, const Kept& kept)
+{
+    return alone(descending(problem, std::move(x), iterations, kept));
 }
 
 }  // namespace stickslip::gap

@@ -1,10 +1,8 @@
 #include "analysis/diagnosis/fit/fit.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
-#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/residuals.h"
 #include "analysis/joint/drive.h"
-#include "analysis/numerics/optimise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,42 +58,6 @@ std::vector<Evaluation> evaluate_all(const std::vector<Case>& cases, const Candi
     std::vector<Evaluation> all;
     for (const auto& scaled : residuals_at(cases, candidate, places)) all.push_back(judged(cases, scaled));
     return all;
-}
-
-LevelFit search_rough(const FitProblem& problem, Eigen::VectorXd x, int evaluations, double first_step,
-                      const Kept& kept)
-{
-    const Candidate& candidate = problem.candidate;
-    LevelFit fit;
-    const auto n = static_cast<Eigen::Index>(candidate.parameter_count());
-    fit.x = bounded(candidate, std::move(x));
-    std::vector<Eigen::Index> free;
-    for (Eigen::Index i = 0; i < n; ++i)
-        if (kept.empty() || !kept[static_cast<std::size_t>(i)]) free.push_back(i);
-    int count = 0;
-    Eigen::VectorXd at = fit.x;
-    const auto objective = [&](const std::vector<double>& values) {
-        ++count;
-        for (std::size_t k = 0; k < free.size(); ++k) at[free[k]] = values[k];
-        return problem.at(at).objective + prior_cost(candidate, at);
-    };
-    Minimisation rough{SearchMethod::simplex, {}, {}, evaluations};
-    rough.ftol_rel = 1e-4;
-    std::vector<double> start;
-    for (const auto i : free) {
-        const auto& p = candidate.parameter(static_cast<std::size_t>(i));
-        rough.bounds.low.push_back(p.logarithmic ? std::log(p.low) : p.low);
-        rough.bounds.high.push_back(p.logarithmic ? std::log(p.high) : p.high);
-        rough.first_step.push_back(first_step * (p.logarithmic ? 1 : std::max(0.1, std::abs(p.prior))));
-        start.push_back(fit.x[i]);
-    }
-    start = minimum(rough, objective, std::move(start));
-    for (std::size_t k = 0; k < free.size(); ++k) fit.x[free[k]] = start[k];
-    fit.evaluation = problem.at(fit.x);
-    fit.evaluation.objective += prior_cost(candidate, fit.x);
-    fit.information = Eigen::MatrixXd::Zero(n, n);
-    fit.evaluations = count + 1;
-    return fit;
 }
 
 }  // namespace stickslip::gap

@@ -1,6 +1,6 @@
 // A candidate's parameters to be fitted, and the two ways to fit them.
 #pragma once
-#include "analysis/diagnosis/fit/fit.h"
+#include "analysis/diagnosis/fit/side_by_side.h"
 
 namespace stickslip::gap {
 
@@ -34,10 +34,13 @@ using Kept = std::vector<char>;
 /// Levenberg-Marquardt from x. NLopt has no least-squares method; this one needs a third of its evaluations here, and
 /// gives the information matrix.
 LevelFit descend(const FitProblem& problem, Eigen::VectorXd x, int iterations, const Kept& kept = {});
+Fitting<LevelFit> descending(FitProblem problem, Eigen::VectorXd x, int iterations, Kept kept = {});
 
 /// NLopt's Nelder-Mead from x, for misfits without usable gradients (backlash, saturation). The first step is in
 /// logarithms or in parts of what is usual.
 LevelFit search_rough(const FitProblem& problem, Eigen::VectorXd x, int evaluations, double first_step = 0.3,
                       const Kept& kept = {});
+Fitting<LevelFit> searching_rough(FitProblem problem, Eigen::VectorXd x, int evaluations, double first_step = 0.3,
+                                  Kept kept = {});
 
 }  // namespace stickslip::gap

@@ -61,40 +61,40 @@ void append_residuals(const Case& c, double omega, const Innovation& innovation,
         }
 }
 
+/// One place of one question.
+struct Look {
+    Question* question;
+    std::size_t place;
+
+    const Place& at() const { return question->places[place]; }
+    /// Whether it needs this record anew.
+    bool needs(const Case& c) const
+    {
+        if (!question->known || at().moved == no_parameter) return true;
+        const auto own = record_of(*question->candidate, at().moved);
+        return !own || *own == std::min(c.number, question->candidate->records - 1);
+    }
+};
+
 /// The predictions of a few places, side by side.
 class Predictions {
   public:
-    Predictions(const std::vector<Case>& cases, const Candidate& candidate) : cases_(cases), candidate_(candidate) {}
-
-    void add(const Case& c, const Place& place)
+    void go(std::span<const Look> looks)
     {
-        Plant plant = edited_plant(c.joint, candidate_, place.si, c.number);
-        plant.step_factor = c.step_factor;
-        const auto command = command_of(c, plant);
-        all_.push_back({plant, &c.ticks, command, place.omega, &innovations_.emplace_back(),
-                        c.effort_sigma > 0 ? Wanted::effort : Wanted::position});
-    }
-    /// Whether a place needs this record anew.
-    bool needs(const Case& c, const Place& place) const
-    {
-        if (place.moved == no_parameter) return true;
-        const auto own = record_of(candidate_, place.moved);
-        return !own || *own == std::min(c.number, candidate_.records - 1);
-    }
-    void go(std::span<const Place> places, const std::vector<double>* known,
-            std::vector<std::vector<double>>& residuals)
-    {
-        for (const auto& place : places)
-            for (const auto& c : cases_)
-                if (!known || needs(c, place)) add(c, place);
+        for (const auto& look : looks)
+            for (const auto& c : *look.question->cases)
+                if (look.needs(c)) add(c, look);
         predict_all(all_);
         auto innovation = innovations_.cbegin();
-        for (const auto& place : places) {
-            auto& scaled = residuals.emplace_back();
-            if (known) scaled.reserve(known->size());
-            for (const auto& c : cases_) {
-                if (!known || needs(c, place)) {
-                    append_residuals(c, place.omega, *innovation++, scaled);
+        for (const auto& look : looks) {
+            const auto* known = look.question->known;
+            auto& scaled = look.question->answers[look.place];
+            std::size_t count = 0;
+            for (const auto& c : *look.question->cases) count += residual_count(c);
+            scaled.reserve(count);
+            for (const auto& c : *look.question->cases) {
+                if (look.needs(c)) {
+                    append_residuals(c, look.at().omega, *innovation++, scaled);
                     continue;
                 }
                 const auto from = known->begin() + static_cast<std::ptrdiff_t>(scaled.size());
@@ -104,6 +104,14 @@ class Predictions {
     }
 
   private:
+    void add(const Case& c, const Look& look)
+    {
+        Plant plant = edited_plant(c.joint, *look.question->candidate, look.at().si, c.number);
+        plant.step_factor = c.step_factor;
+        const auto command = command_of(c, plant);
+        all_.push_back({plant, &c.ticks, command, look.at().omega, &innovations_.emplace_back(),
+                        c.effort_sigma > 0 ? Wanted::effort : Wanted::position});
+    }
     /// A command that is computed from the readings is the same wherever the controller is.
     std::span<const double> command_of(const Case& c, const Plant& plant)
     {
@@ -128,28 +136,51 @@ class Predictions {
         std::vector<double> room;
         std::span<const double> command;
     };
-    const std::vector<Case>& cases_;
-    const Candidate& candidate_;
     std::vector<Prediction> all_;
     std::deque<Command> commands_;
     std::deque<Innovation> innovations_;
 };
 
+/// The places that have to be looked at, and those of the others that fill lanes.
+std::vector<Look> looks_at(std::span<Question* const> questions)
+{
+    constexpr std::size_t few_lanes = 4, pack = 8;
+    std::vector<Look> looks, others;
+    std::size_t runs = 0;
+    for (auto* q : questions) {
+        q->answers.resize(q->places.size());
+        runs += q->needed * q->cases->size();
+        for (std::size_t i = 0; i < q->places.size(); ++i) (i < q->needed ? looks : others).push_back({q, i});
+    }
+    const std::size_t filled = runs <= few_lanes ? few_lanes : (runs + pack - 1) / pack * pack;
+    for (const auto& look : others) {
+        runs += look.question->cases->size();
+        if (runs <= (look.question->sure ? std::max(filled, 2 * pack) : filled)) looks.push_back(look);
+    }
+    return looks;
+}
+
 }  // namespace
+
+void answer(std::span<Question* const> questions)
+{
+    // enough to fill the lanes, not so much that long records fill the memory
+    constexpr std::size_t most_ticks = 2'000'000, fewest = 4;
+    const auto looks = looks_at(questions);
+    for (std::size_t from = 0, to = 0; from < looks.size(); from = to) {
+        for (std::size_t ticks = 0; to < looks.size() && (ticks < most_ticks || to - from < fewest); ++to)
+            for (const auto& c : *looks[to].question->cases) ticks += c.ticks.size();
+        Predictions().go(std::span(looks).subspan(from, to - from));
+    }
+}
 
 std::vector<std::vector<double>> residuals_at(const std::vector<Case>& cases, const Candidate& candidate,
                                               const std::vector<Place>& places, const std::vector<double>* known)
 {
-    // enough to fill the lanes, not so much that long records fill the memory
-    constexpr std::size_t most_ticks = 2'000'000, fewest = 4;
-    std::size_t ticks = 1;
-    for (const auto& c : cases) ticks += c.ticks.size();
-    const std::size_t at_once = std::max(fewest, most_ticks / ticks);
-    std::vector<std::vector<double>> residuals;
-    for (std::size_t from = 0; from < places.size(); from += at_once)
-        Predictions(cases, candidate)
-            .go(std::span(places).subspan(from, std::min(at_once, places.size() - from)), known, residuals);
-    return residuals;
+    Question question{&cases, &candidate, places, places.size(), false, known};
+    Question* one = &question;
+    answer({&one, 1});
+    return std::move(question.answers);
 }
 
 Evaluation judged(const std::vector<Case>& cases, const std::vector<double>& scaled)

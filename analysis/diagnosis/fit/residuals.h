@@ -15,8 +15,27 @@ struct Place {
     std::size_t moved = no_parameter;
 };
 
-/// Scaled residuals at every place: of each record the position rows, then the effort rows. Where only a parameter has
-/// moved that is one record's own, the others' residuals are taken from those that are known.
+/// What a fit asks of its records.
+struct Question {
+    const std::vector<Case>* cases;
+    const Candidate* candidate;
+    std::vector<Place> places;
+    /// So many of the places have to be looked at. The others will be asked next, if all goes well: they are looked at
+    /// where they fill lanes that would be empty.
+    std::size_t needed = 0;
+    /// Whether the others are nearly sure to be asked: then a further pack is made for them, too.
+    bool sure = false;
+    const std::vector<double>* known = nullptr;
+    /// Scaled residuals at every place: of each record the position rows, then the effort rows; empty where it was not
+    /// looked at. Where only a parameter has moved that is one record's own, the others' residuals are taken from those
+    /// that are known.
+    std::vector<std::vector<double>> answers = {};
+};
+
+/// Answers some questions together.
+void answer(std::span<Question* const> questions);
+
+/// The residuals at every place, for a fit that asks alone.
 std::vector<std::vector<double>> residuals_at(const std::vector<Case>& cases, const Candidate& candidate,
                                               const std::vector<Place>& places,
                                               const std::vector<double>* known = nullptr);

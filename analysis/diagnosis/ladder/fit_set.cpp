@@ -116,11 +116,13 @@ void SetFitter::look(Start& s, const FittedSet& below) const
         const auto [at, first] = nearest.try_emplace(value, i);
         if (!first && looks[i].objective < looks[at->second].objective) at->second = i;
     }
-    for (const auto& [value, i] : nearest) {
-        // beside a jagged cause that is found already a descent does: a search for it anew costs five times as much
-        const FitProblem problem{part, model.candidate, scales_, omega};
-        auto found = s.form->rough ? improve(problem, begun[i], first_effort, first_steps)
-                                   : descend(problem, begun[i], first_steps);
+    // beside a jagged cause that is found already a descent does: a search for it anew costs five times as much
+    const FitProblem problem{part, model.candidate, scales_, omega};
+    std::vector<Fitting<LevelFit>> fits;
+    for (const auto& [value, i] : nearest)
+        fits.push_back(s.form->rough ? improving(problem, begun[i], first_effort, first_steps)
+                                     : descending(problem, begun[i], first_steps));
+    for (auto& found : side_by_side(std::move(fits))) {
         if (s.x0.size() > 0 && !(found.evaluation.objective < s.objective)) continue;
         s.x0 = std::move(found.x);
         s.objective = found.evaluation.objective;

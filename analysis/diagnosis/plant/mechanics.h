@@ -31,15 +31,25 @@ class Mechanics {
         l.longest = longest_step(plant), l.parts = 0, l.divided = 0, l.goes = true;
         logged_lagged_.set(lane, 0);
         motor_level_.set(lane, plant.motor.coulomb), link_level_.set(lane, plant.link.coulomb);
-        moves_inertia_ = false;
-        for (const auto& other : lane_)
-            moves_inertia_ =
-                moves_inertia_ || (other.ticks && (!other.ticks->inertia.empty() || other.plant->free.moves_inertia));
+        moves_inertia_ = loaded_ = false;
+        for (const auto& other : lane_) {
+            if (!other.ticks) continue;
+            moves_inertia_ = moves_inertia_ || !other.ticks->inertia.empty() || other.plant->free.moves_inertia;
+            loaded_ = loaded_ || !other.ticks->load.empty();
+        }
         length_of_ = P(0.0);  // to be divided anew
         if (kind().lag) lag_.set(lane, plant.actuator.lag);
     }
     /// Begins where this lane's tick is, with this velocity, this far beyond the reading.
     void start(int lane, double velocity, Rest rest = Rest::pressed, double beyond = 0);
+
+    /// Every lane that goes is where this one is, on the same record; -1: they differ.
+    void read_once(int lane)
+    {
+        once_ = lane;
+        same_command_ = lane >= 0;
+        for (const auto& l : lane_) same_command_ = same_command_ && (!l.goes || l.command == lane_[lane].command);
+    }
 
     std::size_t tick(int lane) const { return lane_[lane].tick; }
     /// Whether a lane goes on from tick to tick.
@@ -67,7 +77,11 @@ class Mechanics {
     [[gnu::flatten]] void advance()
     {
         P tick, start;
-        for (int i = 0; i < lanes; ++i) {
+        if (once_ >= 0) {
+            const Lane& l = lane_[once_];
+            tick = P(l.ticks->step[l.tick]), start = P(l.ticks->time[l.tick]);
+        }
+        for (int i = 0; i < lanes && once_ < 0; ++i) {
             const Lane& l = lane_[i];
             tick.set(i, l.ticks->step[l.tick]), start.set(i, l.ticks->time[l.tick]);
         }
@@ -168,6 +182,7 @@ class Mechanics {
     {
         if (kind().motor.drifts) joints_.motor.coulomb = motor_level_ + drifted(joints_.motor, middle);
         if (kind().link.drifts) joints_.link.coulomb = link_level_ + drifted(joints_.link, middle);
+        if (!loaded_ && !moves_inertia_) return;
         for (int i = 0; i < lanes; ++i) {
             const Lane& l = lane_[i];
             if (!l.ticks->load.empty())
@@ -184,6 +199,7 @@ class Mechanics {
 
     P command() const
     {
+        if (same_command_) return P(lane_[once_].command[lane_[once_].tick]);
         P u;
         for (int i = 0; i < lanes; ++i) u.set(i, lane_[i].command[lane_[i].tick]);
         return u;
@@ -211,6 +227,7 @@ class Mechanics {
         if (kind().actuator == ActuatorKind::dc_motor)
             for (int i = 0; i < lanes; ++i) supply.set(i, lane_[i].ticks->supply[lane_[i].tick]);
         PushOf<P> p = push_of(joints_.actuator, arrived, supply, state_.motor_velocity);
+        if (once_ >= 0 && lane_[once_].ticks->enabled[lane_[once_].tick]) return p;
         for (int i = 0; i < lanes; ++i)
             if (!lane_[i].ticks->enabled[lane_[i].tick]) p.push.set(i, 0), p.drag.set(i, 0);
         return p;
@@ -243,7 +260,9 @@ class Mechanics {
     P length_of_ = 0;  ///< s, ticks that `length_` divides
     StepLength<P> length_;
     int most_parts_ = 0, fewest_parts_ = 0;
-    bool moves_inertia_ = false;
+    bool moves_inertia_ = false, loaded_ = false;
+    int once_ = -1;  ///< whose row is read for all
+    bool same_command_ = false;
 };
 
 template <class P>

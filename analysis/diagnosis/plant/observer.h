@@ -21,6 +21,7 @@ class Observer {
             else
                 idle(i);
         }
+        find_common();
         while (going > 0) {
             std::size_t count = static_cast<std::size_t>(-1);
             for (int i = 0; i < lanes; ++i)
@@ -35,6 +36,7 @@ class Observer {
                     idle(i), --going;
                 }
             }
+            find_common();
         }
     }
 
@@ -54,6 +56,20 @@ class Observer {
             asks_effort_ = asks_effort_ || (run && run->effort);
         }
     }
+    /// Whether every lane that goes is at the same row: then it is read once for all of them. What the others read
+    /// matters to none.
+    void find_common()
+    {
+        const Ticks* ticks = nullptr;
+        bool common = true;
+        for (int i = 0; i < lanes; ++i) {
+            if (!goes_[i]) continue;
+            if (!ticks) ticks = run_[i]->ticks, first_ = i;
+            common = common && run_[i]->ticks == ticks && mechanics_.tick(i) == mechanics_.tick(first_);
+        }
+        common_ = common && ticks;
+        mechanics_.read_once(common_ ? first_ : -1);
+    }
     void idle(int lane)
     {
         goes_[lane] = false;
@@ -64,7 +80,13 @@ class Observer {
     {
         P read(0.0), step(0.0);
         typename P::MaskType logged;
-        for (int i = 0; i < lanes; ++i) {
+        if (common_) {
+            const Ticks& t = *run_[first_]->ticks;
+            const std::size_t k = mechanics_.tick(first_);
+            read = P(t.position[k]), step = P(t.step[k]);
+            for (int i = 0; i < lanes; ++i) logged.set(i, t.logged[k] != 0);
+        }
+        for (int i = 0; i < lanes && !common_; ++i) {
             const Ticks& t = *run_[i]->ticks;
             const std::size_t k = mechanics_.tick(i);
             read.set(i, t.position[k]), step.set(i, t.step[k]), logged.set(i, t.logged[k] != 0);
@@ -94,6 +116,8 @@ class Observer {
     Mechanics<P> mechanics_;
     const Run* run_[lanes]{};
     bool goes_[lanes]{};
+    bool common_ = false;
+    int first_ = 0;  ///< of the lanes that go
     P since_ = 0, omega_ = 0, longest_ = 0;
     bool asks_more_ = false, asks_effort_ = false;
 };

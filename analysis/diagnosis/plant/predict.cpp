@@ -7,35 +7,63 @@
 namespace stickslip::gap {
 namespace {
 
-/// Runs of one kind, as many substeps a tick in each.
+/// A run, and into how many substeps it divides a tick.
+struct Divided {
+    int parts;
+    Run run;
+};
+
+/// Runs of one kind.
 struct Batch {
     Kind kind;
-    int parts;
-    std::vector<Run> runs;
+    std::vector<Divided> runs;
 };
 
 void add(std::vector<Batch>& batches, const Run& run)
 {
     const Kind kind = kind_of(*run.plant, *run.ticks);
-    const int parts = substeps(run.ticks->step[run.from], longest_step(*run.plant));
+    const Divided divided{substeps(run.ticks->step[run.from], longest_step(*run.plant)), run};
     for (auto& b : batches)
-        if (b.parts == parts && b.kind == kind) return b.runs.push_back(run);
-    batches.push_back({kind, parts, {run}});
+        if (b.kind == kind) return b.runs.push_back(divided);
+    batches.push_back({kind, {divided}});
+}
+
+constexpr std::size_t most_lanes = 8;
+
+/// Whether the next run fits into a lane that others of its pack leave before the pack ends.
+bool falls_free_early(const Divided& run, const Divided& next)
+{
+    return next.parts == run.parts && next.run.to - next.run.from < run.run.to - run.run.from;
+}
+
+void go_together(std::span<const Run> runs, const Kind& kind)
+{
+    const auto instructions = lanes::best_instructions();
+    if (runs.size() == 1)
+        run_single(runs, kind);
+    else if (instructions == lanes::Instructions::avx512)
+        run_avx512(runs, kind);
+    else if (instructions == lanes::Instructions::avx2)
+        run_avx2(runs, kind);
+    else
+        run_baseline(runs, kind);
 }
 
 void go(std::vector<Batch>& batches)
 {
-    const bool wide = lanes::best_instructions() != lanes::Instructions::baseline;
-    for (auto& [kind, parts, runs] : batches) {
-        // the longest first, so that lanes end together
-        std::stable_sort(runs.begin(), runs.end(),
-                         [](const Run& a, const Run& b) { return a.to - a.from > b.to - b.from; });
-        if (runs.size() == 1)
-            run_single(runs, kind);
-        else if (wide)
-            run_avx2(runs, kind);
-        else
-            run_baseline(runs, kind);
+    for (auto& [kind, all] : batches) {
+        // what takes longest first, so that lanes end together
+        std::stable_sort(all.begin(), all.end(), [](const Divided& a, const Divided& b) {
+            return a.parts != b.parts ? a.parts > b.parts : a.run.to - a.run.from > b.run.to - b.run.from;
+        });
+        std::vector<Run> runs;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            runs.push_back(all[i].run);
+            // a lane that would be empty costs nothing, even where it waits for others that need more substeps
+            if (i + 1 < all.size() && (runs.size() % most_lanes != 0 || falls_free_early(all[i], all[i + 1]))) continue;
+            go_together(runs, kind);
+            runs.clear();
+        }
     }
 }
 

@@ -22,6 +22,7 @@ struct Run {
 /// Predicts along runs of one kind, several at once. A run's bits depend on no other run and on no instruction set.
 void run_baseline(std::span<const Run> runs, const Kind& kind);
 void run_avx2(std::span<const Run> runs, const Kind& kind);
+void run_avx512(std::span<const Run> runs, const Kind& kind);
 /// One after the other.
 void run_single(std::span<const Run> runs, const Kind& kind);
 

@@ -10,6 +10,7 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t refine_ticks = 45000;
+constexpr double slower_level = levels[1];
 
 }  // namespace
 
@@ -43,10 +44,14 @@ bool better(const Attribution& a, const Attribution& b)
     return a.score < b.score;
 }
 
-LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort, int descents)
+Fitting<LevelFit> improving(FitProblem problem, Eigen::VectorXd x, int effort, int descents)
 {
     const Candidate& candidate = problem.candidate;
-    if (!jagged(candidate)) return descend(problem, x, descents);
+    LevelFit fit;
+    if (!jagged(candidate)) {
+        fit = co_await descending(problem, std::move(x), descents);
+        co_return fit;
+    }
     Kept smooth, rough;  // which parameters the misfit is jagged in, and which not
     for (std::size_t i = 0; i < candidate.parameter_count(); ++i) {
         rough.push_back(candidate.is_rough(i));
@@ -56,21 +61,22 @@ LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort
     constexpr double first_step = 0.3, near = 0.1 * first_step;
     constexpr int turns = 2;
     const int part = effort * searched / turns;
-    LevelFit fit;
-    fit.x = x;
-    int evaluations = 0;
-    const auto go_on = [&](LevelFit next) {
-        evaluations += next.evaluations;
-        fit = std::move(next);
-    };
     // a simplex over all of them would get lost, and a descent in the teeth: together they lead along narrow valleys
-    go_on(descend(problem, fit.x, std::max(2, descents / 3), rough));
-    go_on(search_rough(problem, fit.x, part, first_step, smooth));
-    go_on(descend(problem, fit.x, descents));
-    go_on(search_rough(problem, fit.x, part, near, smooth));
-    go_on(descend(problem, fit.x, descents));
+    fit = co_await descending(problem, std::move(x), std::max(2, descents / 3), rough);
+    int evaluations = fit.evaluations;
+    for (const double step : {first_step, near}) {
+        fit = co_await searching_rough(problem, fit.x, part, step, smooth);
+        evaluations += fit.evaluations;
+        fit = co_await descending(problem, fit.x, descents);
+        evaluations += fit.evaluations;
+    }
     fit.evaluations = evaluations;
-    return fit;
+    co_return fit;
+}
+
+LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort, int descents)
+{
+    return alone(improving(problem, x, effort, descents));
 }
 
 namespace {
@@ -86,9 +92,37 @@ std::vector<double> objectives(const FitProblem& problem, const std::vector<Eige
     return all;
 }
 
+/// The same beside other fits.
+Asked asked_at(const FitProblem& problem, const std::vector<Eigen::VectorXd>& at)
+{
+    Asked asked{{&problem.cases, &problem.candidate, {}, at.size()}};
+    for (const auto& x : at) asked.places.push_back({problem.si(x), problem.omega});
+    return asked;
+}
+
+/// From the best of these starts at a lower bandwidth, then near by at the problem's own: the slope towards the right
+/// backlash or limit is longer where a prediction has to hold for longer.
+Fitting<LevelFit> searching_slower_first(FitProblem problem, std::vector<Eigen::VectorXd> from, int effort)
+{
+    constexpr double first_step = 0.3, near = 0.03;
+    const FitProblem slower = problem.with_bandwidth(slower_level);
+    Asked asked = asked_at(slower, from);
+    co_await asked;
+    std::vector<double> there;
+    for (const auto& scaled : asked.answers) there.push_back(judged(slower.cases, scaled).objective);
+    const auto start = static_cast<std::size_t>(std::min_element(there.begin(), there.end()) - there.begin());
+    const int count = effort * static_cast<int>(problem.candidate.parameter_count());
+    LevelFit fit = co_await searching_rough(slower, from[start], count, first_step);
+    int evaluations = static_cast<int>(from.size()) + fit.evaluations;
+    fit = co_await searching_rough(problem, fit.x, count / 2, near);
+    fit.evaluations += evaluations;
+    co_return fit;
+}
+
 }  // namespace
 
-LevelFit best_of(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from, int effort, int descents)
+std::vector<Fitting<LevelFit>> fits_from(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from,
+                                         int effort, int descents)
 {
     const Candidate& candidate = problem.candidate;
     std::vector<std::pair<double, std::size_t>> order;
@@ -113,28 +147,29 @@ LevelFit best_of(const FitProblem& problem, const std::vector<Eigen::VectorXd>& 
     } else if (rough && order.size() > 2) {
         order.resize(2);
     }
+    std::vector<Fitting<LevelFit>> fits;
+    for (const auto& start : order) fits.push_back(improving(problem, from[start.second], effort, descents));
+    if (jagged(candidate) && problem.omega > slower_level)
+        fits.push_back(searching_slower_first(problem, from, effort));
+    return fits;
+}
+
+LevelFit best_of(std::span<LevelFit> fits)
+{
     LevelFit best;
-    int evaluations = rough ? static_cast<int>(from.size()) : 0;
-    for (const auto& [before, i] : order) {
-        auto fit = improve(problem, from[i], effort, descents);
+    int evaluations = 0;
+    for (auto& fit : fits) {
         evaluations += fit.evaluations;
         if (best.x.size() == 0 || fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
     }
-    if (constexpr double longer = levels[1]; jagged(candidate) && problem.omega > longer) {
-        const FitProblem slower = problem.with_bandwidth(longer);
-        // the slope towards the right backlash or limit is longer where a prediction has to hold for longer
-        const auto there = objectives(slower, from);
-        const auto start = static_cast<std::size_t>(std::min_element(there.begin(), there.end()) - there.begin());
-        const int count = effort * static_cast<int>(candidate.parameter_count());
-        constexpr double first_step = 0.3, near = 0.03;
-        auto fit = search_rough(slower, from[start], count, first_step);
-        evaluations += static_cast<int>(from.size()) + fit.evaluations;
-        fit = search_rough(problem, fit.x, count / 2, near);
-        evaluations += fit.evaluations;
-        if (fit.evaluation.objective < best.evaluation.objective) best = std::move(fit);
-    }
     best.evaluations = evaluations;
     return best;
+}
+
+LevelFit best_of(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from, int effort, int descents)
+{
+    auto fits = side_by_side(fits_from(problem, from, effort, descents));
+    return best_of(fits);
 }
 
 Attribution as_screened(const Fit& fit, const Candidate& candidate, const LevelFit& screened)

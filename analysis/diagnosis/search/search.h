@@ -28,10 +28,17 @@ bool better(const Attribution& a, const Attribution& b);
 /// One descent, or a search of `effort` evaluations a parameter where the misfit is jagged.
 LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort, int descents = iterations);
 
+Fitting<LevelFit> improving(FitProblem problem, Eigen::VectorXd x, int effort, int descents = iterations);
+
 /// The best of descents from the given starts. With many starts, or a jagged misfit, all are evaluated
 /// and the two best go on, or the best of each value that the form wants apart.
 LevelFit best_of(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from, int effort = full_effort,
                  int descents = iterations);
+
+/// The descents that it is the best of, to be run beside others, and the best of what they came to.
+std::vector<Fitting<LevelFit>> fits_from(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from,
+                                         int effort = full_effort, int descents = iterations);
+LevelFit best_of(std::span<LevelFit> fits);
 
 /// A candidate as it stands after a first look: judged on all data, everywhere at the same parameters.
 Attribution as_screened(const Fit& fit, const Candidate& candidate, const LevelFit& screened);

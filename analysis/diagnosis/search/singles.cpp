@@ -8,34 +8,62 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t refined_singles = 8;
+/// So many candidates are fitted side by side: fewer leave lanes empty, more leave threads without work at the end.
+constexpr std::size_t at_once = 4;
+
+/// What the records are searched on.
+struct Parts {
+    std::vector<Case> brief, whole;
+    const std::vector<Case>& of(const Candidate& c) const { return needs_history(c) ? whole : brief; }
+};
+
+/// A first look at some candidates; those without a start are left out.
+std::vector<Attribution> looked_at(const Fit& fit, std::span<const Candidate> some, const Parts& parts, double omega)
+{
+    std::vector<Fitting<LevelFit>> fits;
+    std::vector<std::size_t> own;  // fits of each candidate
+    for (const auto& candidate : some) {
+        // frequencies are found on whole records: gaps would blur their spectra
+        const auto from = starts(fit.cases, fit.scales, candidate, {}, {});
+        own.push_back(0);
+        if (from.empty()) continue;
+        for (auto& f : fits_from({parts.of(candidate), candidate, fit.scales, omega}, from))
+            fits.push_back(std::move(f)), ++own.back();
+    }
+    auto found = side_by_side(std::move(fits));
+    std::vector<Attribution> forms;
+    std::span<LevelFit> left(found);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        if (own[i] > 0) forms.push_back(as_screened(fit, some[i], best_of(left.first(own[i]))));
+        left = left.subspan(own[i]);
+    }
+    return forms;
+}
 
 }  // namespace
 
 std::vector<Attribution> fit_singles(const Fit& fit, const std::vector<Candidate>& candidates)
 {
-    const auto& cases = fit.cases;
-    const Scales& scales = fit.scales;
     const double omega = screening_level(fit.nominal);
-    const auto brief = excerpts(cases, omega, brief_ticks, coarse), whole = uncut(cases, coarse);
+    const Parts parts{excerpts(fit.cases, omega, brief_ticks, coarse), uncut(fit.cases, coarse)};
     std::vector<Attribution> best;
     const auto screen = [&](const std::vector<Candidate>& some) {
-        std::vector<Attribution> forms(some.size());
-        fit.parallel(some.size(), [&](std::size_t i) {
-            // frequencies are found on whole records: gaps would blur their spectra
-            const auto from = starts(cases, scales, some[i], {}, {});
-            if (from.empty()) return;
-            const auto& part = needs_history(some[i]) ? whole : brief;
-            forms[i] = as_screened(fit, some[i], best_of({part, some[i], scales, omega}, from));
+        std::vector<std::vector<Attribution>> groups((some.size() + at_once - 1) / at_once);
+        fit.parallel(groups.size(), [&](std::size_t i) {
+            const std::size_t from = i * at_once;
+            groups[i] =
+                looked_at(fit, std::span(some).subspan(from, std::min(at_once, some.size() - from)), parts, omega);
         });
-        for (auto& f : forms) {
-            if (f.x[0].size() == 0) continue;
-            const auto same = std::find_if(best.begin(), best.end(),
-                                           [&](const auto& b) { return b.candidate.effects == f.candidate.effects; });
-            if (same == best.end())
-                best.push_back(std::move(f));
-            else if (better(f, *same))
-                *same = std::move(f);
-        }
+        for (auto& forms : groups)
+            for (auto& f : forms) {
+                const auto same = std::find_if(best.begin(), best.end(), [&](const auto& b) {
+                    return b.candidate.effects == f.candidate.effects;
+                });
+                if (same == best.end())
+                    best.push_back(std::move(f));
+                else if (better(f, *same))
+                    *same = std::move(f);
+            }
         std::stable_sort(best.begin(), best.end(), better);
         refine_best(fit, best, refined_singles);
     };

@@ -6,6 +6,9 @@
 #pragma once
 #include <bit>
 #include <cstdint>
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
 
 namespace stickslip::lanes {
 
@@ -214,6 +217,14 @@ template <int w, int n>
     for (int i = 1; i < n; ++i) all |= mask.part[i];
     if constexpr (w == 1) {
         return all != 0;
+#ifdef __AVX512DQ__
+    } else if constexpr (w == 8) {
+        return _mm512_movepi64_mask(std::bit_cast<__m512i>(all)) != 0;
+#endif
+#ifdef __AVX__
+    } else if constexpr (w == 4) {
+        return _mm256_movemask_pd(std::bit_cast<__m256d>(all)) != 0;
+#endif
     } else {
         std::int64_t bits = 0;
         for (int i = 0; i < w; ++i) bits |= all[i];

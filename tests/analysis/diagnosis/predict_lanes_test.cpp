@@ -69,7 +69,7 @@ TEST_CASE("a prediction has the same bits alone, among others and on every instr
     std::vector<Ticks> records;
     for (int i = 0; i < 5; ++i) records.push_back(some_ticks(500 + 37 * static_cast<std::size_t>(i), 1.2, 0.3 * i));
     records[3].restarts = {{200, 0.1, 0}, {330, -0.05, 0}};
-    std::vector<Innovation> together(count), again(count);
+    std::vector<Innovation> together(count), again(count), between(count);
     std::vector<Prediction> all;
     for (int i = 0; i < count; ++i) {
         const Ticks& t = records[static_cast<std::size_t>(i) % records.size()];
@@ -80,6 +80,9 @@ TEST_CASE("a prediction has the same bits alone, among others and on every instr
     lanes::use_instructions("baseline");
     for (std::size_t i = 0; i < all.size(); ++i) all[i].out = &again[i];
     predict_all(all);
+    if (widest == "avx512") lanes::use_instructions("avx2");
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].out = &between[i];
+    predict_all(all);
     lanes::use_instructions(widest);
     for (std::size_t i = 0; i < all.size(); ++i) {
         Innovation alone;
@@ -89,7 +92,7 @@ TEST_CASE("a prediction has the same bits alone, among others and on every instr
         for (const double v : alone.velocity) moved = std::max(moved, std::abs(v));
         CHECK(moved > 1e-3);
         CHECK(std::isfinite(moved));
-        for (const auto* other : {&together[i], &again[i]}) {
+        for (const auto* other : {&together[i], &again[i], &between[i]}) {
             CHECK(same_bits(alone.position, other->position));
             CHECK(same_bits(alone.effort, other->effort));
             CHECK(same_bits(alone.velocity, other->velocity));

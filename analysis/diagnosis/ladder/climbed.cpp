@@ -64,24 +64,29 @@ std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
     struct Off {
         std::size_t correction;
         double deviations;
-        bool of_document;  ///< and no small term of every machine
+        bool unstated_load;
+        bool stated;  ///< and no small term of every machine
     };
+    const bool states_load = fitter_->joint().load.constant != 0;
     std::vector<Off> off;
     for (std::size_t i = 0, at = 0; i < last.model.corrections; at += c.count_of(*c.forms[i++]))
-        if (c.forms[i]->own == 0)  // what differs from record to record is no number of the document
-            off.push_back(
-                {i, Corrections::deviations(c, i, at, last.fit.x), !Corrections::is_small_term(*c.effects[i])});
+        if (c.forms[i]->own == 0) {  // what differs from record to record is no number of the document
+            const bool load = !states_load && c.effects[i]->name == "constant-load";
+            off.push_back({i, Corrections::deviations(c, i, at, last.fit.x), load,
+                           !load && !Corrections::is_small_term(*c.effects[i])});
+        }
     // one document has errors of one size: beside causes a number has to be much further off than all others
     const auto one_of_many = [&](const Off& number) {
-        return !ladder.rungs.empty() && number.of_document && std::ranges::any_of(off, [&](const Off& other) {
-            return other.of_document && other.correction != number.correction &&
+        return !ladder.rungs.empty() && number.stated && std::ranges::any_of(off, [&](const Off& other) {
+            return other.stated && other.correction != number.correction &&
                    number.deviations < rules_.beyond_the_others * other.deviations;
         });
     };
     std::vector<FarNumber> far;
     for (const Off& number : off)
         if (number.deviations >= rules_.far_off && !one_of_many(number))
-            far.push_back({c.effects[number.correction], fitter_->fit_without(last, number.correction).all_left()});
+            far.push_back({c.effects[number.correction], number.unstated_load,
+                           fitter_->fit_without(last, number.correction).all_left()});
     return far;
 }
 

@@ -40,6 +40,7 @@ struct FittedSet {
 /// A number of the document that is far off beside the causes of a ladder.
 struct FarNumber {
     const Effect* effect;               ///< the correction
+    bool unstated_load;                 ///< a load that the document does not mention
     std::vector<Window> as_documented;  ///< what is left with the number as it stands there, all others refitted
 };
 

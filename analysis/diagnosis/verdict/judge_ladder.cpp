@@ -145,7 +145,8 @@ void count_far_numbers(JudgedLadder& j, const std::vector<FarNumber>& far)
     const double by_causes = (j.only_corrections ? j.shares.documented : j.shares.corrected) - after;
     const auto left = j.ladder.last().all_left();
     for (const auto& number : far) {
-        if (beyond_noise(number.as_documented) - after < policy::as_much_as_causes * by_causes) continue;
+        const double least = number.unstated_load ? policy::least_of_unstated : policy::as_much_as_causes;
+        if (beyond_noise(number.as_documented) - after < least * by_causes) continue;
         j.numbers.emplace_back(number.effect, share_between(j.ladder.documented, number.as_documented, left));
         if (!j.only_corrections) count_as_cause(j.winner, j.corrections, number.effect);
     }

@@ -52,6 +52,8 @@ TEST_CASE(
     CHECK(far_off(m) == std::vector<std::string_view>{"inertia"});
     m.coulomb = 2 * 0.94;  // 1.2 standard deviations beside the 2.5 of the inertia
     CHECK(far_off(m).empty());
+    m.load = 2 * 0.13;  // which the document does not mention
+    CHECK(far_off(m) == std::vector<std::string_view>{"constant-load"});
 }
 
 TEST_CASE("a level that only stood in for a rising curve gives way once that is found", "[gap][ladder]")

@@ -76,7 +76,7 @@ class TickedCvode {
     }
 
   private:
-    static int rate(realtype, N_Vector y, N_Vector out, void* force)
+    static int rate(double, N_Vector y, N_Vector out, void* force)
     {
         using namespace benchmark;
         const double *s = NV_DATA_S(y), V = std::exp(s[1]), log = s[1] - std::log(V_star);

@@ -34,7 +34,7 @@ inline Judged plain_cvode(const SlipJoint& joint, double rtol)
         SlipJoint j;
         double f_ss;
     } problem{joint, f0 + (A - B) * std::log(joint.V0 / V_star)};
-    const auto rate = [](realtype, N_Vector y, N_Vector out, void* user) {
+    const auto rate = [](double, N_Vector y, N_Vector out, void* user) {
         const auto& p = *static_cast<Problem*>(user);
         const double *s = NV_DATA_S(y), V = std::exp(s[1]), log = s[1] - std::log(V_star);
         double* d = NV_DATA_S(out);
@@ -70,7 +70,7 @@ class TunedCvode {
     {
         CVodeSStolerances(solver_.cvode, rtol, rtol);
         CVodeSetJacFn(solver_.cvode, &groups_jacobian);
-        CVodeRootInit(solver_.cvode, 1, [](realtype, N_Vector y, realtype* g, void*) {
+        CVodeRootInit(solver_.cvode, 1, [](double, N_Vector y, double* g, void*) {
             g[0] = NV_DATA_S(y)[1];
             return 0;
         });

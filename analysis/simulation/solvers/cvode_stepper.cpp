@@ -22,8 +22,20 @@ using LinearSolver = std::unique_ptr<_generic_SUNLinearSolver, Free>;
 
 struct Context {
     SUNContext value = nullptr;
-    Context() { SUNContext_Create(nullptr, &value); }
-    ~Context() { SUNContext_Free(&value); }
+    Context()
+    {
+        // a failure is reported as a value; CVODE's own messages on stderr would say it twice
+#if SUNDIALS_VERSION_MAJOR >= 7
+        SUNContext_Create(SUN_COMM_NULL, &value);
+        SUNContext_ClearErrHandlers(value);
+#else
+        SUNContext_Create(nullptr, &value);
+#endif
+    }
+    ~Context()
+    {
+        SUNContext_Free(&value);
+    }
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 };
@@ -87,9 +99,9 @@ class CvodeStepper final : public Stepper {
         linear_.reset(SUNLinSol_Dense(y_.get(), matrix_.get(), context_.value));
         cvode_.reset(CVodeCreate(CV_BDF, context_.value));
         CVodeInit(cvode_.get(), &rate, 0, y_.get());
-        // a failure is reported as a value; CVODE's own messages on stderr would say it twice
-        CVodeSetErrHandlerFn(
-            cvode_.get(), [](int, const char*, const char*, char*, void*) {}, nullptr);
+#if SUNDIALS_VERSION_MAJOR < 7  // from there on the context has the handlers
+        CVodeSetErrHandlerFn(cvode_.get(), [](int, const char*, const char*, char*, void*){}, nullptr);
+#endif
         CVodeSetUserData(cvode_.get(), this);
         CVodeSetLinearSolver(cvode_.get(), linear_.get(), matrix_.get());
         CVodeSetJacFn(cvode_.get(), &jacobian);
@@ -98,9 +110,12 @@ class CvodeStepper final : public Stepper {
         CVodeSetNoInactiveRootWarn(cvode_.get());
     }
 
-    static CvodeStepper& self(void* user) { return *static_cast<CvodeStepper*>(user); }
+    static CvodeStepper& self(void* user)
+    {
+        return *static_cast<CvodeStepper*>(user);
+    }
 
-    static int rate(realtype, N_Vector y, N_Vector ydot, void* user)
+    static int rate(double, N_Vector y, N_Vector ydot, void* user)
     {
         FlowVector out;
         self(user).flow_->rate(copy_of(y), out);
@@ -108,7 +123,7 @@ class CvodeStepper final : public Stepper {
         return out.allFinite() ? 0 : 1;  // 1: recoverable, CVODE tries a shorter step
     }
 
-    static int jacobian(realtype, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector, N_Vector)
+    static int jacobian(double, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector, N_Vector)
     {
         FlowMatrix out;
         self(user).flow_->jacobian(copy_of(y), out);
@@ -116,7 +131,7 @@ class CvodeStepper final : public Stepper {
         return out.allFinite() ? 0 : 1;
     }
 
-    static int roots(realtype, N_Vector y, realtype* values, void* user)
+    static int roots(double, N_Vector y, double* values, void* user)
     {
         self(user).events_->values(copy_of(y), values);
         return 0;

@@ -27,11 +27,18 @@ class ContinuousMachine {
             state_[position(b)] = q;
             if (friction(b).memory.lag_viscous) state_[each * b + 4] = curve(b, 0);
         }
+#if SUNDIALS_VERSION_MAJOR >= 7
+        SUNContext_Create(SUN_COMM_NULL, &context_);
+        SUNContext_ClearErrHandlers(context_);
+#else
         SUNContext_Create(nullptr, &context_);
+#endif
         y_ = N_VNew_Serial(size, context_);
         cvode_ = CVodeCreate(CV_BDF, context_);
+#if SUNDIALS_VERSION_MAJOR < 7
         CVodeSetErrHandlerFn(
             cvode_, [](int, const char*, const char*, char*, void*) {}, nullptr);
+#endif
         CVodeInit(cvode_, rate, 0, y_);
         CVodeSStolerances(cvode_, 1e-9, 1e-11);
         matrix_ = SUNDenseMatrix(size, size, context_);
@@ -107,9 +114,18 @@ class ContinuousMachine {
   private:
     // q, v, bristle, memory, lagged speed of either body, and the command behind the actuator's lag
     static constexpr int each = 5, size = 2 * each + 1, lagged = 2 * each;
-    static int position(int b) { return each * b; }
-    static int velocity(int b) { return each * b + 1; }
-    int bodies() const { return two_ ? 2 : 1; }
+    static int position(int b)
+    {
+        return each * b;
+    }
+    static int velocity(int b)
+    {
+        return each * b + 1;
+    }
+    int bodies() const
+    {
+        return two_ ? 2 : 1;
+    }
     const Friction& friction(int b) const
     {
         return !two_ ? j_.friction : b == 0 ? j_.frictions.motor : j_.frictions.link;
@@ -308,12 +324,12 @@ class ContinuousMachine {
         settle(t);
     }
 
-    static int rate(realtype t, N_Vector y, N_Vector d, void* self)
+    static int rate(sunrealtype t, N_Vector y, N_Vector d, void* self)
     {
         static_cast<ContinuousMachine*>(self)->rates(t, NV_DATA_S(y), NV_DATA_S(d));
         return 0;
     }
-    static int events(realtype t, N_Vector y, realtype* values, void* self)
+    static int events(sunrealtype t, N_Vector y, sunrealtype* values, void* self)
     {
         const auto& machine = *static_cast<ContinuousMachine*>(self);
         for (int b = 0; b < machine.bodies(); ++b) values[b] = machine.event(t, NV_DATA_S(y), b);

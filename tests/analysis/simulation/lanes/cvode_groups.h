@@ -28,13 +28,20 @@ struct CvodeSolver {
 
     explicit CvodeSolver(CVRhsFn rate)
     {
+#if SUNDIALS_VERSION_MAJOR >= 7
+        SUNContext_Create(SUN_COMM_NULL, &context);
+        SUNContext_ClearErrHandlers(context);
+#else
         SUNContext_Create(nullptr, &context);
+#endif
         y = N_VNew_Serial(3, context);
         tolerance = N_VNew_Serial(3, context);
         N_VConst(0, y);
         cvode = CVodeCreate(CV_BDF, context);
+#if SUNDIALS_VERSION_MAJOR < 7
         CVodeSetErrHandlerFn(
             cvode, [](int, const char*, const char*, char*, void*) {}, nullptr);
+#endif
         CVodeInit(cvode, rate, 0, y);
         matrix = SUNDenseMatrix(3, 3, context);
         linear = SUNLinSol_Dense(y, matrix, context);
@@ -55,7 +62,7 @@ struct CvodeSolver {
 };
 
 /// The equations of lanes::Groups, which `user` points to.
-inline int groups_rate(realtype, N_Vector y, N_Vector out, void* user)
+inline int groups_rate(double, N_Vector y, N_Vector out, void* user)
 {
     const auto& g = *static_cast<lanes::Groups*>(user);
     const double *s = NV_DATA_S(y), v = std::exp(s[1]), excess = std::expm1(s[1]);
@@ -66,7 +73,7 @@ inline int groups_rate(realtype, N_Vector y, N_Vector out, void* user)
     return 0;
 }
 
-inline int groups_jacobian(realtype, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector, N_Vector)
+inline int groups_jacobian(double, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector, N_Vector)
 {
     const auto& g = *static_cast<lanes::Groups*>(user);
     const double *s = NV_DATA_S(y), v = std::exp(s[1]), per_Mv = 1 / (g.M * v);

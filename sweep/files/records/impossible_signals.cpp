@@ -29,7 +29,7 @@ Extremes extremes_of(const std::vector<double>& values)
 /// Where a signal goes beyond a limit that holds for it by definition or by the document.
 void beyond_limits(const Record& r, const Joint& joint, std::vector<Suspicion>& found)
 {
-    constexpr double rounding = 1.01;
+    constexpr double rounding = 1.01;  // of a log of two or three digits
     const bool duty = joint.actuator.kind == ActuatorKind::dc_motor && joint.actuator.signal == DriveSignal::duty;
     if (duty && !r.drive.empty())
         if (const double most = extremes_of(r.drive).largest(); most > rounding)
@@ -52,7 +52,7 @@ void beyond_limits(const Record& r, const Joint& joint, std::vector<Suspicion>& 
 /// upwards, one from 2^n downwards, and nothing between.
 void two_s_complement(const char* name, const std::vector<double>& values, std::vector<Suspicion>& found)
 {
-    constexpr std::size_t few = 20;
+    constexpr std::size_t few = 20;  // rows: fewer leave such gaps by chance
     if (values.size() < few) return;
     std::vector<double> sorted;
     for (const double v : values)
@@ -62,14 +62,14 @@ void two_s_complement(const char* name, const std::vector<double>& values, std::
     const double step = gap::grid_of(sorted);
     if (!(step > 0)) return;
     const auto jump = std::adjacent_find(sorted.begin(), sorted.end(), [&](double a, double b) {
-        constexpr double nothing_between = 0.5;  // of all that there is
+        constexpr double nothing_between = 0.5;  // of all that there is: a motion never leaves half its range out
         return b - a > nothing_between * sorted.back();
     });
     if (jump == sorted.end()) return;
     const double below = *jump / step, above = *std::next(jump) / step, most = sorted.back() / step;
     for (const int bits : {8, 10, 12, 16, 24, 32}) {
         const double whole = std::exp2(bits);
-        constexpr double near_top = 0.02;
+        constexpr double near_top = 0.02;  // small negative numbers end there; a range that ends so by chance is rare
         if (most > whole || whole - most > near_top * whole || above < 0.5 * whole || below > 0.5 * whole) continue;
         found.push_back({std::string(name) + " lies between 0 and " + number_text(*jump) + " and between " +
                              number_text(*std::next(jump)) + " and " + number_text(sorted.back()) +
@@ -87,7 +87,7 @@ void magnitude_only(const Record& r, std::vector<Suspicion>& found)
     const auto& effort = r.effort_measured.empty() ? r.current : r.effort_measured;
     if (asked.size() != effort.size() || effort.empty()) return;
     const Extremes given = extremes_of(asked), got = extremes_of(effort);
-    constexpr double both_ways = 0.2;
+    constexpr double both_ways = 0.2;  // of the larger way: an effort that follows it would be negative, too
     if (got.low < 0 || got.high <= 0 || std::min(-given.low, given.high) < both_ways * given.largest()) return;
     double size = 0, sign = 0, squares = 0, asked_squares = 0;
     for (std::size_t k = 0; k < effort.size(); ++k) {
@@ -96,6 +96,7 @@ void magnitude_only(const Record& r, std::vector<Suspicion>& found)
         squares += effort[k] * effort[k], asked_squares += asked[k] * asked[k];
     }
     const double whole = std::sqrt(squares * asked_squares);
+    // cosines: delay, lag and noise leave more than the first; a command that goes mostly one way reaches the second
     constexpr double follows = 0.8, does_not = 0.6;
     if (!(whole > 0) || size < follows * whole || std::abs(sign) > does_not * whole) return;
     found.push_back({std::string(r.effort_measured.empty() ? "current" : "effort_measured") +
@@ -107,7 +108,7 @@ void magnitude_only(const Record& r, std::vector<Suspicion>& found)
 /// Without control.period nothing says how fast the loop is; but no log of a joint has a row every half second.
 void slow_clock(const Record& r, const Joint& joint, bool time_unit_named, std::vector<Suspicion>& found)
 {
-    constexpr double too_slow = 0.5;  // s
+    constexpr double too_slow = 0.5;  // s: a joint's motion is over in as long
     if (is_set(joint.control.period) || time_unit_named || r.rows() < 3 || gap::is_rig(r)) return;
     const double step = gap::median_step(r.time);
     if (step < too_slow) return;

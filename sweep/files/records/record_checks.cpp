@@ -84,7 +84,7 @@ class Checks {
         }
         if (!(squares > 0) || !(command > 0)) return;
         const double ratio = squares / together, alike = together / std::sqrt(squares * command);
-        constexpr double surely = 0.9;       // correlation
+        constexpr double surely = 0.9;       // correlation; with less the gains do not say what moved
         constexpr double another_joint = 4;  // no gain of the same controller is documented as wrong as that
         command_explained_ = alike > surely && ratio < near_factor && ratio > 1 / near_factor;
         if (std::abs(alike) < surely) return;
@@ -124,7 +124,7 @@ class Checks {
         for (std::size_t k = 0; k < std::min(rate.size(), r_.reference_velocity.size()); ++k)
             if (std::isfinite(rate[k]) && std::isfinite(r_.reference_velocity[k]) && r_.reference_velocity[k] != 0)
                 given.push_back(std::abs(r_.reference_velocity[k])), expected.push_back(std::abs(rate[k]));
-        constexpr std::size_t few = 20;
+        constexpr std::size_t few = 20;  // rows: a median of fewer is one stretch of the motion
         if (given.size() < few) return;
         disproportion(median(given) / median(expected), another_rate, "reference_velocity is", " times",
                       " the rate of reference_position");
@@ -150,7 +150,7 @@ class Checks {
         // a constant command varies by its rounding at most, and nothing follows that
         constexpr double constant = 1e-3;  // of its size
         if (spread(asked) <= constant * largest) return;
-        constexpr double opposite = -0.5;
+        constexpr double opposite = -0.5;  // a lagging or noisy effort comes to nothing, not to the opposite
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
         constexpr double another_unit = 100;  // no gain is as wrong as that
         disproportion(spread(r_.effort_measured) / spread(asked), another_unit, "effort_measured varies by",
@@ -161,7 +161,7 @@ class Checks {
     void dead_signals()
     {
         if (r_.position.empty() || spread(r_.position) == 0) return;
-        constexpr std::size_t few = 20;
+        constexpr std::size_t few = 20;  // rows: a slow signal may stay for fewer
         const auto dead = [&](const char* name, const std::vector<double>& values) {
             if (values.size() < few || !std::isfinite(values[0]) || spread(values) > 1e-12 * std::abs(values[0]))
                 return;

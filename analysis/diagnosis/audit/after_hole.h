@@ -1,6 +1,9 @@
-// Rows behind a hole in a log, in which a filter of the readings still remembers what nobody saw.
+// Rows behind a hole in a log, or at the start of one that starts in motion, in which a filter of the readings still
+// remembers what nobody saw.
 #pragma once
 #include "analysis/diagnosis/records/ticks.h"
+
+#include <algorithm>
 
 namespace stickslip::gap {
 
@@ -12,6 +15,8 @@ class AfterHole {
           matters_(ticks.lost && !ticks.has_velocity),
           memory_(forgotten * control.velocity_estimate.tau + (control.velocity_estimate.average + 1) * ticks.step[0])
     {
+        if (!ticks.at_rest && !(ticks.has_velocity && ticks.unseen_between()))
+            until_ = ticks.time.front() + std::min(memory_, most_of_record * ticks.duration());
     }
 
     /// Whether the estimate of the velocity at tick k goes back to a reading that was not logged; evaluated tick by
@@ -19,11 +24,12 @@ class AfterHole {
     bool holds(std::size_t k)
     {
         if (matters_ && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;
-        return matters_ && ticks_.time[k] <= until_;
+        return ticks_.time[k] <= until_;
     }
 
   private:
-    static constexpr double forgotten = 15;  // time constants: e⁻¹⁵ of a reading is left
+    static constexpr double forgotten = 15;         // time constants: e⁻¹⁵ of a reading is left
+    static constexpr double most_of_record = 0.25;  // that the start may take: slower filters are looked at, too
     const Ticks& ticks_;
     bool matters_;
     double memory_, until_ = -infinity;

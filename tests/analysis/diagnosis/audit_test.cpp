@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace stickslip;
 using namespace stickslip::gap;
 using stickslip::test::Machine;
@@ -177,6 +179,24 @@ TEST_CASE("wrong gains and a wrong filter are found without a reference, by the 
     REQUIRE(filtered.findings.size() == 1);
     CHECK(filtered.findings[0].effect == "velocity-filter");
     CHECK(filtered.findings[0].value == Approx(0.005).epsilon(1e-3));
+}
+
+TEST_CASE("a filter is found where a log starts in motion, though nobody saw what it remembers there", "[gap]")
+{
+    Machine m;
+    m.tau = 0.012;  // documented: 0.003
+    const Record whole = test::record_of(m, 1, 4);
+    std::size_t fastest = 500;
+    for (std::size_t k = fastest; k < 2000; ++k)
+        if (std::abs(whole.velocity[k]) > std::abs(whole.velocity[fastest])) fastest = k;
+    const Record r = test::rows_where(whole, [&](std::size_t k) { return k >= fastest; });
+    std::vector<Note> notes;
+    std::vector<Case> cases{prepare(r, test::nominal_joint(), notes)};
+    REQUIRE_FALSE(cases[0].ticks.at_rest);
+    const auto found = audit(cases);
+    REQUIRE(found.findings.size() == 1);
+    CHECK(found.findings[0].effect == "velocity-filter");
+    CHECK(found.findings[0].value == Approx(m.tau).epsilon(1e-5));
 }
 
 TEST_CASE("a slow filter behind much noise is told from gains exactly, although they hardly differ", "[gap]")

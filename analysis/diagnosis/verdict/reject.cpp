@@ -15,6 +15,12 @@ void believe_at_most(std::vector<Cause>& causes, double most)
     for (auto& c : causes) c.probability *= factor;
 }
 
+/// Whether simulations of whole records keep a part of the gap that predictions from row to row know nothing of.
+bool simulates_too_little(const OverallGap& gap)
+{
+    return gap.explained < policy::simulated_least && gap.after > policy::more_than_noise * gap.noise();
+}
+
 /// Nothing where the cause may stay.
 std::optional<Note> why_rejected(const Diagnosis& d, const Standing& standing)
 {
@@ -38,6 +44,8 @@ bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
         if (!standing.settled && standing.noise_documented &&
             d.overall.after > policy::more_than_noise * d.overall.noise())
             believe_at_most(d.effects, policy::believed_doubted);
+        if (standing.predicted && simulates_too_little(d.overall))
+            believe_at_most(d.effects, policy::believed_simulated);
         return false;
     }
     d.verdict = Verdict::unknown;

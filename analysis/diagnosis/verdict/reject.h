@@ -17,8 +17,8 @@ struct Standing {
 /// more than half of it, many times an undocumented noise floor, or a residual in spite of implausible parameters. The
 /// reasons say why, `ambiguous_with` is emptied, the ranking stays. A ladder of predictions stays, too, where only the
 /// simulation of whole records gets worse: what was gained from row to row was gained, though it names no cause. An
-/// unsettled cause that leaves more than a documented noise has a lower probability. Returns whether the cause was
-/// rejected.
+/// unsettled cause that leaves more than a documented noise has a lower probability, and so has one that explains much
+/// less of simulated records than of predicted rows. Returns whether the cause was rejected.
 bool reject_if_not_validated(Diagnosis& diagnosis, const Standing& standing);
 
 /// A verdict of no gap becomes `unknown` if the simulation of whole records is far from them: noise may hide from row

@@ -93,6 +93,21 @@ TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals a
     }
 }
 
+TEST_CASE("a ladder of predictions is doubted where whole records are simulated much worse than rows are predicted",
+          "[gap]")
+{
+    const auto probability = [](double after, bool predicted) {
+        auto d = leaving(10, after);
+        d.overall.explained = (100 - after * after) / 99;
+        CHECK_FALSE(reject_if_not_validated(d, {.settled = true, .predicted = predicted}));
+        CHECK(d.verdict == Verdict::gap);
+        return d.effects[0].probability;
+    };
+    CHECK(probability(4, true) == 0.5);  // 0.85 is explained
+    CHECK(probability(3, true) == 0.6);
+    CHECK(probability(4, false) == 0.6);
+}
+
 TEST_CASE("a cause that leaves many floors which nobody documented is not named", "[gap]")
 {
     auto d = leaving(15, 7.5);  // three quarters of the mean square are gone

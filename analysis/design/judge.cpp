@@ -206,7 +206,11 @@ GainChoice Judge::judged(double k_p, double k_v, double margin, bool thoroughly)
         const auto theory = memory ? Theory::state_variable : Theory::velocity_only;
         const auto response = LoopResponse::of(joint, theory, LoopResponse::Input::command);
         if (response) {
-            const auto noise = loop_noise(joint, *response, requirements_.noise);
+            const bool limited = std::isfinite(requirements_.effort_limit);
+            const auto of = thoroughly || (asked && limited) ? NoiseOf::both
+                            : asked                          ? NoiseOf::motion
+                                                             : NoiseOf::effort;
+            const auto noise = loop_noise(joint, *response, requirements_.noise, of);
             choice.motion_noise = noise.motion;
             choice.effort_noise = noise.effort * effort_gain_;
         }

@@ -151,14 +151,17 @@ double effort_noise(const LinearJoint& j, const SensorNoise& n)
     return held_effort({j.k_p, j.k_v, 0}, n);
 }
 
-LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const SensorNoise& n)
+LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const SensorNoise& n, NoiseOf asked)
 {
+    const bool moves = asked != NoiseOf::effort, acts = asked != NoiseOf::motion;
     const Gains gains = gains_of(joint.control);
     const double slowest = slowest_of(response.roots());
     if (std::isnan(slowest) || !(response.growth() < 0)) return {};
-    if (response.period() == 0)
-        return {held_noise(gains, n, response.roots(), [&](double omega) { return response.by_command(omega); }),
-                held_effort({gains.k_p, gains.k_v, 0}, n)};
+    if (response.period() == 0) {
+        const auto motion = [&](double omega) { return response.by_command(omega).motion; };
+        return {moves ? held_noise(gains, n, response.roots(), motion) : missing,
+                acts ? held_effort({gains.k_p, gains.k_v, 0}, n) : missing};
+    }
     // over the phase of a tick, by its logarithm as slow roots are far below a tick's rate
     const double T = response.period(), high = std::numbers::pi / T, low = std::min(1e-3 * slowest, 1e-3 * high);
     Breaks breaks(low, high);
@@ -172,8 +175,8 @@ LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const Sen
         const double above = integral([&](double l) { return std::exp(l) * density(std::exp(l)); }, at, halvings);
         return std::sqrt((density(low) * low + above) / std::numbers::pi);
     };
-    return {rms([&](double omega) { return response.by_command(omega); }),
-            rms([&](double omega) { return response.sensitivity(omega); })};
+    return {moves ? rms([&](double omega) { return response.by_command(omega).motion; }) : missing,
+            acts ? rms([&](double omega) { return response.by_command(omega).remains; }) : missing};
 }
 
 }  // namespace stickslip

@@ -26,7 +26,9 @@ double motion_noise(const LinearJoint& joint, const SensorNoise& noise);
 struct LoopNoise {
     double motion = missing, effort = missing;
 };
-LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const SensorNoise& noise);
+enum class NoiseOf { motion, effort, both };  ///< what is asked for; NaN for the other
+LoopNoise loop_noise(const Joint& joint, const LoopResponse& response, const SensorNoise& noise,
+                     NoiseOf asked = NoiseOf::both);
 
 /// rms command, k_p n_x + k_v n_v, over all frequencies of the sampled loop, the mechanism held.
 double effort_noise(const LinearJoint& joint, const SensorNoise& noise);

@@ -151,23 +151,6 @@ std::vector<TableSlot> tables(Joint& joint)
     return collect(joint).tables;
 }
 
-double* find_parameter(Joint& joint, std::string_view path)
-{
-    std::string_view wanted = path;
-    if (wanted.ends_with(".0")) wanted.remove_suffix(2);  // a list of one answers to "L" and to "L.0"
-    double* found = nullptr;
-    for (const auto& p : parameters(joint))
-        if (p.path == path || (!found && p.path == wanted)) found = p.value;
-    return found;
-}
-
-double& number_at(Joint& joint, const std::string& path)
-{
-    double* number = find_parameter(joint, path);
-    if (!number) throw std::invalid_argument("the joint has no number " + path);
-    return *number;
-}
-
 std::vector<std::string> nearest_names(std::string_view given, const std::vector<std::string>& known)
 {
     std::vector<std::pair<int, std::string>> ranked;

@@ -167,7 +167,9 @@ class Edge {
             return true;
         }
         low_ = -scale_;
-        const auto near = rightmost_between();
+        // where the phase turns fastest the rightmost root is near, as a rule, and a count tells
+        auto near = rightmost_of(steepest_of(at_low_, 4));
+        if (!near) near = rightmost_between();
         if (near && take(*near)) return true;
         return further_left();
     }
@@ -198,9 +200,14 @@ class Edge {
     std::optional<Complex> rightmost_between() const
     {
         constexpr std::size_t starts = 24;
+        return rightmost_of(starts_of(at_low_, starts));
+    }
+
+    std::optional<Complex> rightmost_of(const std::vector<double>& starts) const
+    {
         std::optional<Complex> best;
         Known found;
-        for (const double omega : starts_of(at_low_, starts)) {
+        for (const double omega : starts) {
             const auto root = newton(joint_, {at_low_.sigma, omega}, found);
             if (!root) continue;
             found.push_back(*root);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -60,6 +61,8 @@ std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory, 
         answer.opened_.emplace(*delayed);
         answer.carried_.emplace(*carried);
     }
+    answer.sums_aliases_ = answer.opened_.has_value();
+    answer.read_at_command();
     auto spectrum = spectrum_of(*answer.loop_, answer.loop_->gain);
     answer.roots_ = std::move(spectrum.roots), answer.growth_ = spectrum.growth;
     answer.period_ = delayed ? delayed->period : std::get<DiscreteLoop>(answer.loop_->loop).period;
@@ -116,32 +119,37 @@ Eigen::VectorXcd LoopResponse::closed(double omega, const Eigen::VectorXcd& inpu
     return Z.partialPivLu().solve(input);
 }
 
-Complex LoopResponse::by_command(double omega) const
+/// What by_command asks at every frequency, with one back-substitution each: the loop opened at its command, or, where
+/// it maps tick to tick, closed.
+void LoopResponse::read_at_command()
 {
-    if (carried_) {
-        const Complex s(0, omega);
-        return carried_->prompt(s).first * carried_->delayed(s) * sensitivity(omega);
+    if (const auto* sampled = std::get_if<DiscreteLoop>(&loop_->loop)) {
+        Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, size());
+        rows(0, linear_.link()) = 1;
+        rows.row(1) = sampled->output;
+        closed_.emplace(sampled->closed(loop_->gain), sampled->input, rows);
+        return;
     }
-    if (const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop))
-        return std::exp(Complex(0, -omega * delayed->delay)) *
-               closed(omega, delayed->input.cast<Complex>())[linear_.link()];
-    return closed(omega, std::get<DiscreteLoop>(loop_->loop).input.cast<Complex>())[linear_.link()];
+    if (opened_) return;
+    auto link = std::get<DelayedLoop>(loop_->loop);
+    opened_.emplace(link);
+    link.output.setZero(), link.held.setZero();
+    link.output[linear_.link()] = 1;
+    carried_.emplace(link);
 }
 
-Complex LoopResponse::sensitivity(double omega) const
+LoopResponse::ByCommand LoopResponse::by_command(double omega) const
 {
-    if (opened_) {
-        const Complex s(0, omega);
-        const auto [out, held] = opened_->prompt(s);
-        return 1.0 / (1.0 + (loop_->gain * out - held) * opened_->delayed(s));
+    const Complex s(0, omega);
+    if (closed_) {
+        // e^{iωT} − 1 with its digits
+        std::array<Complex, 2> per_command;
+        closed_->at(beyond_one(s * period_), per_command.data());
+        return {per_command[0], 1.0 - loop_->gain * per_command[1]};
     }
-    if (const auto* delayed = std::get_if<DelayedLoop>(&loop_->loop)) {
-        const Eigen::RowVectorXd command = delayed->held - loop_->gain * delayed->output;
-        return 1.0 + std::exp(Complex(0, -omega * delayed->delay)) *
-                         (command.cast<Complex>() * closed(omega, delayed->input.cast<Complex>()))[0];
-    }
-    const auto& sampled = std::get<DiscreteLoop>(loop_->loop);
-    return 1.0 - loop_->gain * (sampled.output.cast<Complex>() * closed(omega, sampled.input.cast<Complex>()))[0];
+    const auto [out, held] = opened_->prompt(s);
+    const Complex remains = 1.0 / (1.0 + (loop_->gain * out - held) * opened_->delayed(s));
+    return {carried_->prompt(s).first * carried_->delayed(s) * remains, remains};
 }
 
 ResponsePeak LoopResponse::peak(int points) const

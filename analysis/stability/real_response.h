@@ -24,10 +24,12 @@ class LoopResponse {
     /// X/D(iω) of the link. Ideal: (19). Continuous: (iω − A − b c e^{−iωτ})⁻¹ d. Sampled, whose readings see no more,
     /// the motion at the samples: (e^{iωT} − M)⁻¹ (e^{iωT} − e^{AT})(iω − A)⁻¹ d.
     std::complex<double> at(double omega) const;
-    /// The same per command of the controller, added where it leaves it. Real loops only.
-    std::complex<double> by_command(double omega) const;
-    /// 1/(1 + L): what remains of a command that is added. Real loops only.
-    std::complex<double> sensitivity(double omega) const;
+    /// Of what is added to the command where the controller leaves it: the motion of the link per command, and
+    /// 1/(1 + L), what remains of the command. Real loops only.
+    struct ByCommand {
+        std::complex<double> motion, remains;
+    };
+    ByCommand by_command(double omega) const;
     /// By a scan of `points` frequencies around the roots, up to half the sampling rate; NaN for an unstable loop.
     ResponsePeak peak(int points = 400) const;
     /// The force is held over each of its steps, of a sampled loop over each tick that begins within the step: exact
@@ -39,12 +41,13 @@ class LoopResponse {
     /// max Re s of the loop, which may be further right than the roots that were found.
     double growth() const { return growth_; }
     /// Whether each frequency sums over aliases, which takes a hundred times as long.
-    bool sums_aliases() const { return opened_.has_value(); }
+    bool sums_aliases() const { return sums_aliases_; }
     /// Time between samples; 0 of a continuous loop.
     double period() const { return period_; }
 
   private:
     LoopResponse() = default;
+    void read_at_command();
     /// Everything the closed loop holds, per input of its own system.
     Eigen::VectorXcd closed(double omega, const Eigen::VectorXcd& input) const;
     Eigen::Index size() const;
@@ -57,9 +60,10 @@ class LoopResponse {
     Eigen::VectorXd pushed_;  ///< rates per force on the link, of the plant
     int speed_ = 0;
     double period_ = 0, growth_ = missing;
-    std::optional<OpenedLoop> opened_,
-        carried_;                              ///< of a sampled loop around delayed friction, to its command and link
-    std::vector<std::complex<double>> roots_;  ///< of a sampled loop ln(z)/T
+    bool sums_aliases_ = false;
+    std::optional<OpenedLoop> opened_, carried_;  ///< of a delayed loop, to its command and link
+    std::optional<Resolvent> closed_;             ///< of any other, from its command to link and command
+    std::vector<std::complex<double>> roots_;     ///< of a sampled loop ln(z)/T
 };
 
 /// Roots of any loop over k_p, row by row; column i follows one root. Those of a sampled loop are ln(z)/T. Empty where

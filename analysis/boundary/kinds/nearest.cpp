@@ -56,13 +56,15 @@ class NearestSearch {
         Vector best;
         double least = infinity;
         Vector normal(n_, 0);
-        const auto consider = [&](const Vector& direction) {
-            const double d = distance(direction);
+        const auto consider = [&](const Vector& direction, double within = infinity) {
+            const double d = first_crossing(direction, within);
             if (d < least) least = d, best = direction;
             return d;
         };
         for (std::size_t i = 0; i < starts.size(); ++i) {
-            const double d = consider(starts[i]);
+            // what is further than the nearest one is asked for by intercepts alone, or to lead a search
+            const bool nearer_only = !further || (!costly_ && least < options_.reach);
+            const double d = consider(starts[i], nearer_only ? std::min(least, options_.reach) : infinity);
             if (i >= options_.starts.size()) add_intercept(starts[i], d, normal);
         }
         if (further && n_ > 1 && costly_ && norm(normal) > 0) consider(normal);
@@ -74,8 +76,7 @@ class NearestSearch {
                 consider(local_minimum(distance, cube, scaled_by(best, 0.7 / norm(best)), step,
                                        options_.local * static_cast<int>(n_)));
         if (least < options_.reach && precision_ > crossing_precision) {
-            precision_ = crossing_precision;
-            least = distance(best);
+            least = refined(best, least);
         }
         if (least < options_.reach) finish(best, least);
         return result_;
@@ -107,8 +108,21 @@ class NearestSearch {
         return instability(movable_.at(q), options_.theory);
     }
 
+    /// The crossing that was located roughly along a direction, to crossing_precision.
+    double refined(const Vector& direction, double rough)
+    {
+        const double beside = 2 * precision_ * rough;
+        precision_ = crossing_precision;
+        const Vector unit = scaled_by(direction, 1 / norm(direction));
+        const auto at = [&](double r) { return measure(scaled_by(unit, r)); };
+        const double low = rough - beside, high = rough + beside, fa = at(low), fb = at(high);
+        const bool crosses = !std::isnan(fa + fb) && (fa < 0) == result_.stable && (fb < 0) != result_.stable;
+        return crosses ? located(unit, bracketed_root(at, low, fa, high, fb, precision_)) : first_crossing(direction);
+    }
+
     /// Distance to the first change of side along a direction; the reach, and a little more the less it comes near.
-    double first_crossing(const Vector& direction)
+    /// Without a crossing nearer than `within` only that: infinity.
+    double first_crossing(const Vector& direction, double within = infinity)
     {
         const double length = norm(direction);
         if (length < 1e-9) return 4 * options_.reach;
@@ -120,7 +134,7 @@ class NearestSearch {
         const double far = (leads ? 2 : 1) * options_.reach;
         for (int k = 1; k <= options_.rays; ++k) {
             const double share = static_cast<double>(k) / options_.rays;  // finer where it matters: near the joint
-            const double b = far * share * share;
+            const double b = std::min(far * share * share, within);
             const auto side = side_at(scaled_by(unit, b));
             if (!side) break;
             if (*side != result_.stable) {
@@ -131,8 +145,10 @@ class NearestSearch {
                 if (costly_) return 0.5 * (low + high);
             }
             a = b;
+            if (a >= within) return infinity;
             if (a <= options_.reach) looked_at = a;
         }
+        if (within < infinity) return infinity;
         // without a crossing the search is led to where the measure has come down most, within the reach
         const double left = leads && looked_at > 0 ? at(looked_at) / here_ : 1;
         return far * (1 + 0.5 * (std::isnan(left) ? 1 : std::clamp(left, 0.0, 1.0)));

@@ -27,11 +27,8 @@ std::vector<Coordinate> of_roles(Joint joint, std::initializer_list<Role> roles)
     return found;
 }
 
-}  // namespace
-
-double value_of(const Joint& given, const Coordinate& c)
+double value_in(Joint& joint, const Coordinate& c)
 {
-    Joint joint = given;
     const double* number = find_parameter(joint, c.path);
     const double* less = c.less.empty() ? nullptr : find_parameter(joint, c.less);
     if (!number || (!c.less.empty() && !less)) return missing;
@@ -39,10 +36,18 @@ double value_of(const Joint& given, const Coordinate& c)
     return (less ? value > 0 : value != 0) && std::isfinite(value) ? value : missing;
 }
 
+}  // namespace
+
+double value_of(const Joint& given, const Coordinate& c)
+{
+    Joint joint = given;
+    return value_in(joint, c);
+}
+
 MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& coordinates) : joint_(joint)
 {
     for (const auto& c : coordinates) {
-        const double value = value_of(joint, c);
+        const double value = value_in(joint_, c);
         if (std::isnan(value))
             throw std::invalid_argument(c.less.empty()
                                             ? c.path + ": is 0 or no number of this joint"

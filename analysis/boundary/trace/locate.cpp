@@ -1,5 +1,6 @@
 #include "analysis/boundary/trace/locate.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/numerics/root.h"
 #include "analysis/stability/joint_spectrum.h"
@@ -7,12 +8,26 @@
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/winding.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
 namespace stickslip {
+namespace {
+
+/// A mass whose friction is of velocity or of states has its growth rate as soon as its side.
+bool is_told_at_once(const Joint& joint, Curve::Kind theory)
+{
+    if (joint.mechanism.model != Model::single_mass) return false;
+    if (theory == Curve::Kind::velocity_only) return true;
+    const auto steady = possible_sliding(joint);
+    return steady.reason != Reason::none || !is_plain_mass(joint) ||
+           linear_mass(joint, steady.velocity).friction.rational();
+}
+
+}  // namespace
 
 double instability(const Joint& joint, Curve::Kind theory)
 {
@@ -33,12 +48,14 @@ double instability(const Joint& joint, Curve::Kind theory)
 
 std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
 {
-    if (joint.mechanism.model != Model::single_mass && loop_kind(joint) == LoopKind::ideal) {
+    if (loop_kind(joint) == LoopKind::ideal && !is_told_at_once(joint, theory)) {
         const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return {};
-        auto linear = linear_joint(joint, steady.velocity);
+        auto linear = linear_joint(with_gains(joint), steady.velocity);
         if (theory == Curve::Kind::velocity_only) linear = velocity_only(linear);
         if (linear.rational()) return is_stable(linear);
+        // nothing is counted where a root lies on the axis within rounding
+        if (const auto unstable = roots_right_of(linear, 0)) return *unstable == 0;
     }
     if (theory != Curve::Kind::ideal_loop && loop_kind(joint) != LoopKind::ideal) {
         const auto steady = possible_sliding(joint);

@@ -1,6 +1,7 @@
 // Located boundaries against the closed form of (34)-(35).
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/numerics/root.h"
+#include "tests/analysis/friction/sample_laws.h"
 #include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
@@ -70,6 +71,35 @@ TEST_CASE("the side of a joint is the sign of its largest real part", "[boundary
     Joint at_rest = two_masses();
     at_rest.control.V0 = 0;
     CHECK_FALSE(is_stable(at_rest, Curve::Kind::state_variable).has_value());
+}
+
+TEST_CASE("the side of a joint with a delay is the sign of its largest real part", "[boundary]")
+{
+    // told by a count of roots, against the rightmost root
+    constexpr unsigned seed = 20261128;
+    std::mt19937 random(seed);
+    const auto log_uniform = [&random](double low, double high) {
+        return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
+    };
+    const auto lagging = [&](Friction& friction) {
+        friction.law = samples::time_lag(Stribeck{40, 120, 25, 0.015, 1}, log_uniform(1e-4, 1e-1));
+    };
+    int stable = 0;
+    constexpr int joints = 60;
+    for (int i = 0; i < joints; ++i) {
+        Joint joint = i % 2 == 0 ? two_masses() : reference;
+        lagging(i % 2 == 0 ? joint.frictions.link : joint.friction);
+        joint.control.k_p = log_uniform(1e2, 1e6);
+        joint.control.k_v = log_uniform(1, 1e4);
+        joint.control.V0 = log_uniform(1e-4, 1e-1);
+        const double growth = instability(joint, Curve::Kind::state_variable);
+        CAPTURE(seed, i, joint.control.k_p, joint.control.k_v, joint.control.V0, growth);
+        REQUIRE(std::isfinite(growth));
+        CHECK(is_stable(joint, Curve::Kind::state_variable) == (growth < 0));
+        stable += growth < 0;
+    }
+    CHECK(stable > joints / 10);
+    CHECK(stable < joints - joints / 10);
 }
 
 TEST_CASE("a bracketed root is found to its precision", "[boundary]")

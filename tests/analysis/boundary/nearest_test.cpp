@@ -43,6 +43,28 @@ TEST_CASE("the nearest point of a plane is shared evenly by the parameters that 
     CHECK(signed_margin(nearest) > 0);
 }
 
+TEST_CASE("of given directions alone the nearest crossing is exact, and none beyond it is located",
+          "[boundary][nearest]")
+{
+    // along (1, −1) of ln(B − A) and ln L the plane is nearer by √2 than along either
+    const Joint joint = slow_joint(1.5 * 5e4);
+    const std::vector<Coordinate> coordinates{{"friction.B", "friction.A"}, {"friction.L", ""}};
+    NearestOptions options{.reach = 10, .rays = 12, .precision = 1e-4};
+    options.along_starts_only = true;
+    options.starts = {{1, -1}};
+    const auto alone = nearest_boundary(joint, coordinates, options);
+    REQUIRE(alone.found);
+    CHECK(std::abs(alone.distance / (std::log(1.5) / std::sqrt(2.0)) - 1) < 1e-8);
+    // seven rays more, of which each is looked along up to there and no further
+    for (const auto& further : {std::vector<double>{1, 0}, {0, -1}, {-1, 0}, {0, 1}, {-1, 1}, {1, 1}, {-1, -1}})
+        options.starts.push_back(further);
+    const auto all = nearest_boundary(joint, coordinates, options);
+    CHECK(all.distance == Approx(alone.distance).epsilon(1e-12));
+    CHECK(all.evaluations - alone.evaluations < 7 * 6);
+    options.starts = {{-1, 1}};
+    CHECK_FALSE(nearest_boundary(joint, coordinates, options).found);
+}
+
 TEST_CASE("what nature may change is the law, the inertia and the velocity", "[boundary][nearest]")
 {
     std::vector<std::string> names;

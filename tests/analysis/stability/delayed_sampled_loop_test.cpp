@@ -331,7 +331,7 @@ TEST_CASE("What is added to a command of a sampled loop around late friction is 
             moved += at_ticks[static_cast<std::size_t>(k)] * turn;
             commanded += commands[static_cast<std::size_t>(k)] * turn;
         }
-        CHECK(std::abs(response->by_command(omega) / moved - 1.0) < 1e-5);
-        CHECK(std::abs(response->sensitivity(omega) / commanded - 1.0) < 1e-5);
+        CHECK(std::abs(response->by_command(omega).motion / moved - 1.0) < 1e-5);
+        CHECK(std::abs(response->by_command(omega).remains / commanded - 1.0) < 1e-5);
     }
 }

@@ -1,0 +1,75 @@
+// One number of a joint by its path, of which searches ask again and again.
+#include "analysis/joint/parameters.h"
+
+#include <stdexcept>
+
+namespace stickslip {
+namespace {
+
+/// Visits a joint for the one number at a path, of which a search asks again and again: nothing is written down.
+struct NumberFinder {
+    std::string_view exact, of_one;  ///< the path, and what it is called where its list has one entry
+    std::string prefix;              ///< ends in a dot where it is not empty
+    double *at_exact = nullptr, *at_of_one = nullptr;
+
+    bool is(std::string_view path, std::string_view key) const
+    {
+        return path.size() == prefix.size() + key.size() && path.starts_with(prefix) && path.ends_with(key);
+    }
+    void take(std::string_view key, double& value)
+    {
+        if (is(exact, key)) at_exact = &value;
+        if (!at_of_one && is(of_one, key)) at_of_one = &value;
+    }
+    void number(const Field& f, double& value) { take(f.key, value); }
+    void numbers(const Field& f, NumberList& list)
+    {
+        if (list.size == 1) return take(f.key, list[0]);
+        for (int i = 0; i < list.size; ++i) take(std::string(f.key) + "." + std::to_string(i), list[i]);
+    }
+    void flag(std::string_view, std::string_view, bool&) {}
+    void text(std::string_view, std::string_view, std::string&) {}
+    void samples(std::string_view, std::string_view, std::string&, KernelTablePtr&) {}
+    template <class Enum, std::size_t n>
+    void choice(std::string_view, std::string_view, Enum&, const Choice<Enum> (&)[n])
+    {
+    }
+    template <class Struct>
+    void table(std::string_view key, std::string_view, Struct& s)
+    {
+        const auto outer = prefix.size();
+        prefix += key, prefix += '.';
+        // what does not begin the path holds nothing of it
+        if (exact.starts_with(prefix)) Struct::fields(s, *this);
+        prefix.resize(outer);
+    }
+    template <class Struct, int capacity>
+    void rows(std::string_view key, std::string_view help, ShortList<Struct, capacity>& list)
+    {
+        for (int i = 0; i < list.size; ++i) table(std::string(key) + "." + std::to_string(i), help, list[i]);
+    }
+    template <class Law>
+    void law(Law& law)
+    {
+        std::visit([this](auto& l) { std::decay_t<decltype(l)>::fields(l, *this); }, law);
+    }
+};
+
+}  // namespace
+
+double* find_parameter(Joint& joint, std::string_view path)
+{
+    NumberFinder finder{path, path, {}};
+    if (path.ends_with(".0")) finder.of_one.remove_suffix(2);  // a list of one answers to "L" and to "L.0"
+    Joint::fields(joint, finder);
+    return finder.at_exact ? finder.at_exact : finder.at_of_one;
+}
+
+double& number_at(Joint& joint, const std::string& path)
+{
+    double* number = find_parameter(joint, path);
+    if (!number) throw std::invalid_argument("the joint has no number " + path);
+    return *number;
+}
+
+}  // namespace stickslip

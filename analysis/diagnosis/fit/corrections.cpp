@@ -90,7 +90,9 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
         "coulomb-level",
         number(Quantity::effort, Scale::load_effort, false, prior.coulomb * level, "change of the Coulomb level"),
         [](Joint& to, const double* p) { change_friction(to, coulomb_number, p[0]); }, false);
-    const double drag = std::max(viscous_number.at_joint(j) / unit_of(Scale::load_damping, scales), prior.least);
+    const double drag = std::max(
+        viscous_number.at_joint(j) * unit_of(Scale::load_velocity, scales) / unit_of(Scale::load_effort, scales),
+        prior.least);
     small_sd_ = prior.small_term * level;
     usual_effort_ = prior.widest * small_sd_;
     usual_drag_ = prior.widest * prior.viscous * drag;

@@ -6,7 +6,7 @@
 namespace stickslip {
 namespace {
 
-/// Visits a joint for the one number at a path, of which a search asks again and again: nothing is written down.
+/// Visits a joint for the number at a path and writes nothing else down.
 struct NumberFinder {
     std::string_view exact, of_one;  ///< the path, and what it is called where its list has one entry
     std::string prefix;              ///< ends in a dot where it is not empty

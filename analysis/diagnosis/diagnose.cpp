@@ -162,14 +162,18 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
 }
 
 /// All that is done with records of a joint, stage by stage; what each found stands in the result when the next begins.
-void find(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel,
-          const DiagnosisOptions& options, const StageProgress& progress, DiagnosisResult& result)
+void find(const Joint& joint, const std::vector<Record>& records, const ParallelFor& parallel_tasks,
+          const DiagnosisOptions& options, const StageProgress& tell, DiagnosisResult& result)
 {
     Diagnosis& d = result.diagnosis;
-    progress(DiagnosisStage::reading, 0);
+    StageMeter meter(parallel_tasks, tell);
+    const ParallelFor parallel = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
+        meter.run(n, task);
+    };
+    meter.begin(DiagnosisStage::reading);
     auto usable = usable_pieces(joint, records, d);
     if (usable.empty()) return;
-    progress(DiagnosisStage::auditing_controller, 0.02);
+    meter.begin(DiagnosisStage::auditing_controller);
     Prepared prepared = audited(joint, std::move(usable), d);
     if (auto suspicion = another_joint(prepared.audit)) {
         d.reasons.push_back(*suspicion);
@@ -184,9 +188,9 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
     prepared.nominal = judge_nominal(prepared.cases);
     Findings findings;
     try {
-        find_causes(prepared, options.pair_partners, options.ensemble, progress, parallel, findings);
+        find_causes(prepared, options.pair_partners, options.ensemble, meter, parallel, findings);
         if (findings.why_not) d.reasons.push_back(*findings.why_not);
-        progress(DiagnosisStage::predicting_unseen, 0.9);
+        meter.begin(DiagnosisStage::predicting_unseen);
         conclude(prepared, findings, options.ensemble, parallel, result);
     } catch (const Interrupted&) {
         d.effects.clear();
@@ -196,7 +200,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
         list_effects(prepared, rank(findings.singles, findings.pairs, findings.decision, rows_of(prepared.cases)), d);
         throw;
     }
-    progress(DiagnosisStage::done, 1);
+    meter.begin(DiagnosisStage::done);
 }
 
 /// What was found before the interruption stays; a cause that was not held against other data is none.

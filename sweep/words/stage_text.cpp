@@ -1,5 +1,8 @@
 #include "sweep/words/stage_text.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <iterator>
 
 namespace stickslip {
@@ -36,6 +39,15 @@ std::string stages_text(const std::vector<std::string>& codes)
         text += in_words(codes[i]);
     }
     return codes.size() > 1 ? text + " where needed" : text;
+}
+
+std::string time_left_text(double done, double seconds)
+{
+    constexpr double least_done = 0.1, minute = 60, as_minutes = 100;
+    if (!(done >= least_done && done < 1)) return "";
+    const double left = seconds * (1 - done) / done;
+    if (left < as_minutes) return fmt::format("about {:.0f} s left", std::ceil(left));
+    return fmt::format("about {:.0f} min left", left / minute);
 }
 
 }  // namespace stickslip

@@ -15,4 +15,8 @@ std::string_view stage_text(DiagnosisStage stage);
 /// not every diagnosis needs. By their codes; a text that is no code stays.
 std::string stages_text(const std::vector<std::string>& codes);
 
+/// "about 40 s left", "about 3 min left" after so many seconds of which this part of the work was done; empty where too
+/// little is done to tell, or nothing is left.
+std::string time_left_text(double done, double seconds);
+
 }  // namespace stickslip

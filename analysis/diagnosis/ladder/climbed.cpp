@@ -122,11 +122,11 @@ void LadderSearch::correct_alone(Ladder& ladder) const
     const FittedSet& last = ladder.rungs.back();
     ladder.corrected_as_last.clear();
     const auto alone = corrections_->beside({});
-    for (std::size_t f = 0; f < HeldOutData::folds; ++f) {
-        const auto x = Corrections::start(alone, last.model, last.x[f], {});
-        for (const auto& w : data_.judge(f, alone.candidate, in_si(alone.candidate, x, scales_)))
-            ladder.corrected_as_last.push_back(w);
-    }
+    std::array<std::vector<double>, HeldOutData::folds> si;
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
+        si[f] = in_si(alone.candidate, Corrections::start(alone, last.model, last.x[f], {}), scales_);
+    for (const auto& fold : data_.judge(alone.candidate, si))
+        ladder.corrected_as_last.insert(ladder.corrected_as_last.end(), fold.begin(), fold.end());
 }
 
 }  // namespace stickslip::gap

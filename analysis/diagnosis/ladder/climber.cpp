@@ -7,6 +7,8 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t near = 3;  // singles, best first
+/// So many go side by side: fewer leave lanes empty, more leave threads without work at the end.
+constexpr std::size_t looks_at_once = 4, sets_at_once = 3;
 
 /// Whether the second is worse in no fold by so much that they are distinguished there, nor by a good part of what it
 /// gains: a limit that one step alone reaches does nothing in the others.
@@ -59,7 +61,9 @@ std::vector<Start> Climber::looks(const FittedSet& below)
             looks.push_back(std::move(other));
     }
     for (auto& look : divided_anew(below)) looks.push_back(std::move(look));
-    parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i], below); });  // adds the cause
+    std::vector<Look> all;
+    for (auto& start : looks) all.push_back({&start, &below});
+    look_at(all);  // adds the causes
     std::stable_sort(looks.begin(), looks.end(),
                      [](const Start& a, const Start& b) { return a.objective < b.objective; });
     std::vector<const Effect*> nearer;
@@ -72,10 +76,34 @@ std::vector<Start> Climber::looks(const FittedSet& below)
     return looks;
 }
 
+void Climber::look_at(std::span<const Look> looks) const
+{
+    std::vector<double> costs;
+    for (const auto& [start, below] : looks) {
+        Candidate all = below->model.candidate;
+        all.effects.push_back(start->effect), all.forms.push_back(start->form);
+        costs.push_back(cost_of(all));
+    }
+    const auto groups = in_groups(costs, looks_at_once);
+    parallel_(groups.size(), [&](std::size_t g) {
+        std::vector<Look> some;
+        for (const std::size_t i : groups[g]) some.push_back(looks[i]);
+        fitter_.look(some);
+    });
+}
+
 std::vector<FittedSet> Climber::fitted(const std::vector<Start>& starts)
 {
+    std::vector<double> costs;
+    for (const auto& start : starts) costs.push_back(cost_of(start.causes));
+    const auto groups = in_groups(costs, sets_at_once);
     std::vector<FittedSet> sets(starts.size());
-    parallel_(starts.size(), [&](std::size_t i) { sets[i] = fitter_.fit(starts[i].causes, starts[i].x0); });
+    parallel_(groups.size(), [&](std::size_t g) {
+        std::vector<const Start*> some;
+        for (const std::size_t i : groups[g]) some.push_back(&starts[i]);
+        auto found = fitter_.fit(some);
+        for (std::size_t k = 0; k < found.size(); ++k) sets[groups[g][k]] = std::move(found[k]);
+    });
     return sets;
 }
 
@@ -128,7 +156,9 @@ std::vector<Start> Climber::in_other_forms(const FittedSet& set, const Effect& e
     const auto member = static_cast<std::size_t>(std::ranges::find(effects, &effect) - effects.begin());
     const FittedSet below = unfitted_without(set, member);
     auto starts = other_forms(below.causes, effect, set.causes.forms[member], set.causes.records);
-    for (auto& start : starts) fitter_.look(start, below);
+    std::vector<Look> looks;
+    for (auto& start : starts) looks.push_back({&start, &below});
+    look_at(looks);
     std::erase_if(starts, [](const Start& s) { return s.x0.size() == 0; });
     return starts;
 }

@@ -100,6 +100,8 @@ class Climber {
     /// The causes but one, with the numbers that they have in the set.
     FittedSet unfitted_without(const FittedSet& set, std::size_t member) const;
     std::vector<FittedSet> fitted(const std::vector<Start>& starts);
+    /// The looks in groups, the dearest first.
+    void look_at(std::span<const Look> looks) const;
     /// A divided mass in its plain form, with no numbers to start from: beside a larger cause, or numbers of the
     /// document that were off, it came nearest alone in another form, or with a spring so stiff that nothing moved.
     std::vector<Start> divided_anew(const FittedSet& below) const;

@@ -53,7 +53,9 @@ std::vector<FittedSet> Climber::exchanged(const FittedSet& set)
             looks.emplace_back(Start{below.causes, other.effects[0], other.forms[0], single.x}, &below);
             looks.back().first.causes.records = other.records;
         }
-    parallel_(looks.size(), [&](std::size_t i) { fitter_.look(looks[i].first, *looks[i].second); });
+    std::vector<Look> all;
+    for (auto& [start, below] : looks) all.push_back({&start, below});
+    look_at(all);
     std::vector<Start> starts;
     for (auto& [start, below] : looks)
         if (start.x0.size() > 0) starts.push_back(std::move(start));
@@ -87,7 +89,7 @@ FittedSet Climber::freed(FittedSet set)
             continue;
         const Effect* effect = single->candidate.effects[0];
         Start start{set.causes, effect, &effect->forms[0], single->x};
-        fitter_.look(start, set);
+        look_at(std::vector<Look>{{&start, &set}});
         if (start.x0.size() == 0) continue;
         FittedSet more = judged({start})[0];
         if (more.plausible && !more.correction && more.misfit < set.misfit) set = std::move(more), i = at = 0;

@@ -81,7 +81,7 @@ FittedSet SetFitter::unfitted(const Candidate& causes, const FittedSet& like, co
     return set;
 }
 
-void SetFitter::look(Start& s, const FittedSet& below) const
+std::vector<Fitting<LevelFit>> SetFitter::begun(Start& s, const FittedSet& below, Corrected& model) const
 {
     const Candidate added{{s.effect}, {s.form}, s.causes.records};
     std::vector<Eigen::VectorXd> from;
@@ -95,53 +95,66 @@ void SetFitter::look(Start& s, const FittedSet& below) const
     }
     std::erase_if(from,
                   [&](const auto& own) { return own.size() != static_cast<Eigen::Index>(added.parameter_count()); });
-    if (from.empty()) return;
+    if (from.empty()) return {};
     const Candidate others = s.causes;
     const Eigen::VectorXd of_others = others.effects.empty() ? Eigen::VectorXd{} : below.of_causes(below.fit.x);
     insert(s.causes, s.effect, s.form, of_others, from[0]);
-    const auto model = corrections_.beside(s.causes);
+    model = corrections_.beside(s.causes);
     const auto& part = needs_history(model.candidate) ? whole_ : brief_;
-    std::vector<Eigen::VectorXd> begun;
+    std::vector<Eigen::VectorXd> at;
     std::vector<std::vector<double>> si;
     for (const auto& own : from) {
         Candidate all = others;
-        begun.push_back(start(s.causes, below, insert(all, s.effect, s.form, of_others, own)));
-        si.push_back(in_si(model.candidate, begun.back(), scales_));
+        at.push_back(start(s.causes, below, insert(all, s.effect, s.form, of_others, own)));
+        si.push_back(in_si(model.candidate, at.back(), scales_));
     }
     const auto looks = evaluate_all(part, model.candidate, si, {omega});
     std::map<double, std::size_t> nearest;  // start of each value that the form wants apart
-    for (std::size_t i = 0; i < begun.size(); ++i) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
         if (!(looks[i].objective < infinity)) continue;
         const double value = anew && s.form->apart >= 0 ? from[i][s.form->apart] : 0;
-        const auto [at, first] = nearest.try_emplace(value, i);
-        if (!first && looks[i].objective < looks[at->second].objective) at->second = i;
+        const auto [best, first] = nearest.try_emplace(value, i);
+        if (!first && looks[i].objective < looks[best->second].objective) best->second = i;
     }
     // beside a jagged cause that is found already a descent does: a search for it anew costs five times as much
     const FitProblem problem{part, model.candidate, scales_, omega};
     std::vector<Fitting<LevelFit>> fits;
     for (const auto& [value, i] : nearest)
-        fits.push_back(s.form->rough ? improving(problem, begun[i], first_effort, first_steps)
-                                     : descending(problem, begun[i], first_steps));
-    for (auto& found : side_by_side(std::move(fits))) {
-        if (s.x0.size() > 0 && !(found.evaluation.objective < s.objective)) continue;
-        s.x0 = std::move(found.x);
-        s.objective = found.evaluation.objective;
+        fits.push_back(s.form->rough ? improving(problem, at[i], first_effort, first_steps)
+                                     : descending(problem, at[i], first_steps));
+    return fits;
+}
+
+void SetFitter::look(std::span<const Look> looks) const
+{
+    std::vector<Corrected> models(looks.size());
+    std::vector<Fitting<LevelFit>> fits;
+    std::vector<Start*> of;
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        for (auto& fit : begun(*looks[i].start, *looks[i].below, models[i]))
+            fits.push_back(std::move(fit)), of.push_back(looks[i].start);
+    auto found = side_by_side(std::move(fits));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        Start& s = *of[k];
+        if (s.x0.size() > 0 && !(found[k].evaluation.objective < s.objective)) continue;
+        s.x0 = std::move(found[k].x);
+        s.objective = found[k].evaluation.objective;
     }
 }
 
-LevelFit SetFitter::near(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
-                         int steps, Waves waves) const
+Fitting<LevelFit> SetFitter::near(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
+                                  int steps, Waves waves) const
 {
     Kept kept;
     for (std::size_t i = 0; i < candidate.parameter_count() && waves == Waves::stay; ++i)
         kept.push_back(candidate.parameter(i).grid != FrequencyGrid::none);
-    return descend({cases, candidate, scales_, omega}, x, steps, kept);
+    return descending({cases, candidate, scales_, omega}, x, steps, kept);
 }
 
 LevelFit SetFitter::rest(const Candidate& candidate, const Eigen::VectorXd& x) const
 {
     if (jagged(candidate)) return improve({data_.fitted(), candidate, scales_, omega}, x, effort, steps);
-    return near(data_.fitted(), candidate, x, steps, Waves::stay);
+    return alone(near(data_.fitted(), candidate, x, steps, Waves::stay));
 }
 
 LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) const
@@ -152,6 +165,21 @@ LevelFit SetFitter::refit(const Candidate& causes, const Eigen::VectorXd& x0) co
 FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) const
 {
     return fit_folds(causes, refit(causes, x0));
+}
+
+std::vector<FittedSet> SetFitter::fit(std::span<const Start* const> starts) const
+{
+    std::vector<Corrected> models;
+    for (const auto* s : starts) models.push_back(corrections_.beside(s->causes));
+    std::vector<Fitting<LevelFit>> fits;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        fits.push_back(improving({data_.fitted(), models[i].candidate, scales_, omega}, starts[i]->x0, effort, steps));
+    auto found = side_by_side(std::move(fits));
+    std::vector<FittedSet> sets;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        sets.push_back(found_set(std::move(models[i]), starts[i]->causes, std::move(found[i])));
+    fit_folds(sets, Waves::move);
+    return sets;
 }
 
 FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
@@ -177,25 +205,45 @@ FittedSet SetFitter::fit_without(const FittedSet& set, std::size_t correction) c
 void SetFitter::judge(FittedSet& set) const
 {
     const Candidate& c = set.model.candidate;
-    for (std::size_t f = 0; f < HeldOutData::folds; ++f) set.left[f] = data_.judge(f, c, in_si(c, set.x[f], scales_));
+    std::array<std::vector<double>, HeldOutData::folds> si;
+    for (std::size_t f = 0; f < HeldOutData::folds; ++f) si[f] = in_si(c, set.x[f], scales_);
+    set.left = data_.judge(c, si);
     set.misfit =
         mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
         policy::price_of_parameter * static_cast<double>(set.causes.effects.empty() ? 0 : set.causes.parameter_count());
 }
 
-FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const
+FittedSet SetFitter::found_set(Corrected model, const Candidate& causes, LevelFit found) const
 {
     FittedSet set;
     set.causes = causes;
     set.model = std::move(model);
     set.fit = std::move(found);
-    const Candidate& c = set.model.candidate;
-    for (std::size_t f = 0; f < HeldOutData::folds; ++f)
-        set.x[f] = near(data_.without(f), c, set.fit.x, steps_of_fold, waves).x;
-    judge(set);
-    set.plausible = plausible(causes, set.of_causes(set.fit.x), scales_, data_.cases()[0].joint, ranges_);
-    set.correction = corrections_.one_of(causes, set.of_causes(set.fit.x));
     return set;
+}
+
+FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const
+{
+    FittedSet set = found_set(std::move(model), causes, std::move(found));
+    fit_folds({&set, 1}, waves);
+    return set;
+}
+
+void SetFitter::fit_folds(std::span<FittedSet> sets, Waves waves) const
+{
+    std::vector<Fitting<LevelFit>> folds;
+    for (const auto& set : sets)
+        for (std::size_t f = 0; f < HeldOutData::folds; ++f)
+            folds.push_back(near(data_.without(f), set.model.candidate, set.fit.x, steps_of_fold, waves));
+    const auto found = side_by_side(std::move(folds));
+    auto fold = found.begin();
+    for (auto& set : sets) {
+        for (auto& x : set.x) x = (fold++)->x;
+        judge(set);
+        const auto of_causes = set.of_causes(set.fit.x);
+        set.plausible = plausible(set.causes, of_causes, scales_, data_.cases()[0].joint, ranges_);
+        set.correction = corrections_.one_of(set.causes, of_causes);
+    }
 }
 
 }  // namespace stickslip::gap

@@ -19,6 +19,12 @@ struct Start {
     Eigen::VectorXd x0 = {};                             ///< with the corrections
 };
 
+/// A first look: at what, on top of what.
+struct Look {
+    Start* start;
+    const FittedSet* below;
+};
+
 class SetFitter {
   public:
     SetFitter(const HeldOutData& data, const Scales& scales, const Corrections& corrections,
@@ -38,13 +44,16 @@ class SetFitter {
     Eigen::VectorXd start(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
     /// A set with these numbers that nothing was fitted to.
     FittedSet unfitted(const Candidate& causes, const FittedSet& like, const Eigen::VectorXd& of_causes) const;
-    /// Adds the cause: a few steps on excerpts from the best of its starts, the others as in `below`.
-    void look(Start& start, const FittedSet& below) const;
+    /// Adds the cause: a few steps on excerpts from the best of its starts, the others as in the set below. All side by
+    /// side.
+    void look(std::span<const Look> looks) const;
     /// On top of a set: the widths of backlash, so many times apart, at which the misfit has a dip, without any fit.
     std::vector<Start> dips(const FittedSet& below, const Effect& effect, const EffectForm& form, double step) const;
     /// To all rows alone.
     LevelFit refit(const Candidate& causes, const Eigen::VectorXd& x0) const;
     FittedSet fit(const Candidate& causes, const Eigen::VectorXd& x0) const;
+    /// Some sets side by side.
+    std::vector<FittedSet> fit(std::span<const Start* const> starts) const;
     /// What is left of a set after a cause was taken away: waves stay where they are. One that moved into the place of
     /// what was taken away would be another cause.
     FittedSet fit_rest(const Candidate& causes, const Eigen::VectorXd& x0) const;
@@ -59,11 +68,16 @@ class SetFitter {
   private:
     enum class Waves { move, stay };
     /// A descent from where the numbers already are.
-    LevelFit near(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x, int steps,
-                  Waves waves) const;
+    Fitting<LevelFit> near(const std::vector<Case>& cases, const Candidate& candidate, const Eigen::VectorXd& x,
+                           int steps, Waves waves) const;
     /// As well as the set that it is compared with: what is jagged is searched there, too.
     LevelFit rest(const Candidate& candidate, const Eigen::VectorXd& x) const;
     FittedSet fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const;
+    /// What was found in all rows, the folds to be fitted.
+    FittedSet found_set(Corrected model, const Candidate& causes, LevelFit found) const;
+    void fit_folds(std::span<FittedSet> sets, Waves waves) const;
+    /// The fits that a look consists of, of a model that has to outlive them.
+    std::vector<Fitting<LevelFit>> begun(Start& start, const FittedSet& below, Corrected& model) const;
     const HeldOutData& data_;
     const Scales& scales_;
     const Corrections& corrections_;

@@ -6,6 +6,7 @@
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
 
@@ -13,7 +14,8 @@ namespace stickslip::gap {
 namespace {
 
 constexpr double omega = levels[ladder_level];
-constexpr int steps = 2;  // from a fit, a size is nearly linear
+constexpr std::size_t fits_at_once = 4;  // of one term, from several starts
+constexpr int steps = 2;                 // from a fit, a size is nearly linear
 
 bool documented(const Joint& joint, std::string_view term)
 {
@@ -30,23 +32,24 @@ struct Behind {
     const Candidate& model;
     const Eigen::VectorXd& x;
     const Candidate& term;
+    const Candidate with = together(model, term);
 
     /// The model with the term from there: the term where it acts, its size and the model's numbers fitted. A wave not
     /// much shorter than the travel hides in numbers that were fitted without it.
-    LevelFit fit(const std::vector<Case>& cases, const Eigen::VectorXd& own) const
+    Fitting<LevelFit> fit(const std::vector<Case>& cases, const Eigen::VectorXd& own) const
     {
         Eigen::VectorXd all(x.size() + own.size());
         all << x, own;
         Kept kept(static_cast<std::size_t>(all.size()), 0);
         for (std::size_t i = 0; i < term.parameter_count(); ++i)
             kept[static_cast<std::size_t>(x.size()) + i] = term.parameter(i).quantity != Quantity::effort;
-        return descend({cases, with(), scales, omega}, all, steps, kept);
+        return descending({cases, with, scales, omega}, all, steps, kept);
     }
-    LevelFit fit_without(const std::vector<Case>& cases) const
+    Fitting<LevelFit> fit_without(const std::vector<Case>& cases) const
     {
-        return descend({cases, model, scales, omega}, x, steps);
+        return descending({cases, model, scales, omega}, x, steps);
     }
-    Candidate with() const
+    static Candidate together(const Candidate& model, const Candidate& term)
     {
         Candidate both = model;
         both.effects.push_back(term.effects[0]), both.forms.push_back(term.forms[0]);
@@ -57,14 +60,16 @@ struct Behind {
 /// Whether a term pays on rows that nothing was fitted to: in all, and in every fold.
 bool pays(const HeldOutData& data, const Behind& behind, const Eigen::VectorXd& own)
 {
-    const Candidate with = behind.with();
     double gain = 0;
     for (std::size_t fold = 0; fold < HeldOutData::folds; ++fold) {
         const auto judged = [&](const Candidate& model, const LevelFit& fit) {
             return mean_log(data.judge(fold, model, in_si(model, fit.x, behind.scales)));
         };
         const auto& rest = data.without(fold);
-        const double in_fold = judged(behind.model, behind.fit_without(rest)) - judged(with, behind.fit(rest, own));
+        std::vector<Fitting<LevelFit>> fits;
+        fits.push_back(behind.fit_without(rest)), fits.push_back(behind.fit(rest, own));
+        const auto found = side_by_side(std::move(fits));
+        const double in_fold = judged(behind.model, found[0]) - judged(behind.with, found[1]);
         if (!(in_fold > 0)) return false;
         gain += in_fold / HeldOutData::folds;
     }
@@ -92,7 +97,13 @@ void add_small_terms(Corrections& corrections, const HeldOutData& data, const Sc
         if (from.empty()) continue;
         const Behind behind{scales, model.candidate, x, term};
         std::vector<LevelFit> all(from.size());
-        parallel(from.size(), [&](std::size_t i) { all[i] = behind.fit(cases, from[i]); });
+        const auto groups = in_groups(std::vector<double>(from.size(), 1.0), fits_at_once);
+        parallel(groups.size(), [&](std::size_t g) {
+            std::vector<Fitting<LevelFit>> fits;
+            for (const std::size_t i : groups[g]) fits.push_back(behind.fit(cases, from[i]));
+            auto found = side_by_side(std::move(fits));
+            for (std::size_t k = 0; k < found.size(); ++k) all[groups[g][k]] = std::move(found[k]);
+        });
         const auto best =
             std::ranges::min_element(all, {}, [](const LevelFit& fit) { return fit.evaluation.objective; });
         const Eigen::VectorXd own = best->x.tail(from[0].size());

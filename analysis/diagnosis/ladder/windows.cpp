@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/ladder/windows.h"
 
+#include "analysis/diagnosis/fit/residuals.h"
 #include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
@@ -52,8 +53,22 @@ double HeldOutData::raise_floor(const Candidate& candidate, const std::vector<do
 std::vector<Window> HeldOutData::judge(std::size_t fold, const Candidate& candidate,
                                        const std::vector<double>& si) const
 {
-    std::vector<double> residuals;
-    evaluate(documented_, candidate, si, levels[ladder_level], &residuals);
+    return squares(fold, residuals_at(documented_, candidate, {{si, levels[ladder_level]}})[0]);
+}
+
+std::array<std::vector<Window>, HeldOutData::folds> HeldOutData::judge(
+    const Candidate& candidate, const std::array<std::vector<double>, folds>& si) const
+{
+    std::vector<Place> places;
+    for (const auto& numbers : si) places.push_back({numbers, levels[ladder_level]});
+    const auto residuals = residuals_at(documented_, candidate, places);
+    std::array<std::vector<Window>, folds> judged;
+    for (std::size_t fold = 0; fold < folds; ++fold) judged[fold] = squares(fold, residuals[fold]);
+    return judged;
+}
+
+std::vector<Window> HeldOutData::squares(std::size_t fold, const std::vector<double>& residuals) const
+{
     std::vector<std::size_t> begin;
     for (std::size_t i = 0, at = 0; i < documented_.size(); ++i) {
         begin.push_back(at);

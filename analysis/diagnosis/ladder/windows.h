@@ -38,10 +38,15 @@ class HeldOutData {
 
     /// The windows of a fold with their squares under a model.
     std::vector<Window> judge(std::size_t fold, const Candidate& candidate, const std::vector<double>& si) const;
+    /// The windows of every fold with their squares under a model that has these numbers there.
+    std::array<std::vector<Window>, folds> judge(const Candidate& candidate,
+                                                 const std::array<std::vector<double>, folds>& si) const;
     /// The windows of all folds, without squares.
     const std::vector<Window>& windows(std::size_t fold) const { return windows_[fold]; }
 
   private:
+    std::vector<Window> squares(std::size_t fold, const std::vector<double>& residuals) const;
+
     std::vector<Case> documented_, fitted_;
     std::array<std::vector<Case>, folds> rest_;
     std::array<std::vector<Window>, folds> windows_;

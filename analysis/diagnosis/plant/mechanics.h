@@ -157,17 +157,16 @@ class Mechanics {
     void divide(const P& tick)
     {
         constexpr double rounding = 1e-9;
-        P parts;
         most_parts_ = 0, fewest_parts_ = 1 << 30;
         for (int i = 0; i < lanes; ++i) {
             Lane& l = lane_[i];
             if (!(std::abs(tick[i] - l.divided) <= rounding * l.divided))
                 l.parts = substeps(tick[i], l.longest), l.divided = tick[i];
-            parts.set(i, l.parts);
+            parts_.set(i, l.parts);
             most_parts_ = std::max(most_parts_, l.parts), fewest_parts_ = std::min(fewest_parts_, l.parts);
         }
         length_of_ = tick;
-        length_ = StepLength<P>(joints_, tick / parts);
+        length_ = StepLength<P>(joints_, tick / parts_);
     }
 
     /// What a known column says of the whole of this tick: its mean, since what surrounds the joint goes straight from
@@ -236,8 +235,7 @@ class Mechanics {
     /// Takes this substep back in lanes that have fewer.
     void keep_done(const State<P>& before, int part)
     {
-        typename P::MaskType done;
-        for (int i = 0; i < lanes; ++i) done.set(i, part >= lane_[i].parts);
+        const typename P::MaskType done = parts_ <= P(part);
         each_number(state_, before, [&](P& now, const P& then) { now = select(done, then, now); });
     }
     template <class F>
@@ -259,6 +257,7 @@ class Mechanics {
     P logged_lagged_ = 0, motor_level_ = 0, link_level_ = 0, lag_ = 1;
     P length_of_ = 0;  ///< s, ticks that `length_` divides
     StepLength<P> length_;
+    P parts_ = 1;  ///< of this tick, lane by lane
     int most_parts_ = 0, fewest_parts_ = 0;
     bool moves_inertia_ = false, loaded_ = false;
     int once_ = -1;  ///< whose row is read for all

@@ -1,4 +1,4 @@
-// In one file: one search for the numbers of a cause, from screening to polish.
+// One search for the numbers of a cause, from screening to polish.
 #include "analysis/diagnosis/search/search.h"
 
 #include "analysis/diagnosis/fit/excerpt.h"
@@ -9,7 +9,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t refine_ticks = 45000;
 constexpr double slower_level = levels[1];
 
 }  // namespace
@@ -106,11 +105,7 @@ Fitting<LevelFit> searching_slower_first(FitProblem problem, std::vector<Eigen::
 {
     constexpr double first_step = 0.3, near = 0.03;
     const FitProblem slower = problem.with_bandwidth(slower_level);
-    Asked asked = asked_at(slower, from);
-    co_await asked;
-    std::vector<double> there;
-    for (const auto& scaled : asked.answers) there.push_back(judged(slower.cases, scaled).objective);
-    const auto start = static_cast<std::size_t>(std::min_element(there.begin(), there.end()) - there.begin());
+    const std::size_t start = co_await nearest_start(slower, from);
     const int count = effort * static_cast<int>(problem.candidate.parameter_count());
     LevelFit fit = co_await searching_rough(slower, from[start], count, first_step);
     int evaluations = static_cast<int>(from.size()) + fit.evaluations;
@@ -120,6 +115,15 @@ Fitting<LevelFit> searching_slower_first(FitProblem problem, std::vector<Eigen::
 }
 
 }  // namespace
+
+Fitting<std::size_t> nearest_start(FitProblem problem, std::vector<Eigen::VectorXd> from)
+{
+    Asked asked = asked_at(problem, from);
+    co_await asked;
+    std::vector<double> there;
+    for (const auto& scaled : asked.answers) there.push_back(judged(problem.cases, scaled).objective);
+    co_return static_cast<std::size_t>(std::ranges::min_element(there) - there.begin());
+}
 
 std::vector<Fitting<LevelFit>> fits_from(const FitProblem& problem, const std::vector<Eigen::VectorXd>& from,
                                          int effort, int descents)
@@ -186,71 +190,6 @@ Attribution as_screened(const Fit& fit, const Candidate& candidate, const LevelF
     a.information = screened.information;
     judge(a, fit.nominal);
     return a;
-}
-
-namespace {
-
-/// Carries a screened candidate through all levels, fastest first; searched on a part of the records.
-void refine(const Fit& context, const std::vector<Case>& part, Attribution& a)
-{
-    const auto& cases = context.cases;
-    const Scales& scales = context.scales;
-    const Attribution screened = a;
-    for (std::size_t l = 0; l < levels.size(); ++l) {
-        std::vector<Eigen::VectorXd> from{screened.x[l]};
-        if (l > 0 && a.x[l - 1] != screened.x[l]) from.push_back(a.x[l - 1]);
-        std::size_t start = 0;
-        double least = infinity;
-        for (std::size_t i = 0; i < from.size(); ++i)
-            if (const double o = evaluate(part, a.candidate, in_si(a.candidate, from[i], scales), levels[l]).objective;
-                o < least)
-                least = o, start = i;
-        auto fit = improve({part, a.candidate, scales, levels[l]}, from[start], 12);
-        a.evaluations += fit.evaluations;
-        // the parameters of the middle bandwidth are reported: they and their errors come from all data
-        if (l == 1 && !jagged(a.candidate))
-            fit = descend({cases, a.candidate, scales, levels[l]}, fit.x, 1);
-        else
-            fit.evaluation = evaluate(cases, a.candidate, in_si(a.candidate, fit.x, scales), levels[l]);
-        a.x[l] = fit.x;
-        a.evaluation[l] = fit.evaluation;
-        if (l == 1 && fit.information.size()) a.information = fit.information;
-    }
-    // a level may have come to rest in a hollow that the others found the way out of
-    constexpr double clearly = 0.8;
-    for (std::size_t l = 0; l < levels.size(); ++l)
-        for (std::size_t from = 0; from < levels.size(); ++from) {
-            if (a.x[from] == a.x[l]) continue;
-            const auto si = in_si(a.candidate, a.x[from], scales);
-            auto there = evaluate(cases, a.candidate, si, levels[l]);
-            ++a.evaluations;
-            if (!(there.objective < clearly * a.evaluation[l].objective)) continue;
-            a.x[l] = a.x[from];
-            a.evaluation[l] = std::move(there);
-        }
-    judge(a, context.nominal);
-}
-
-}  // namespace
-
-void refine_best(const Fit& fit, std::vector<Attribution>& ranked, std::size_t most)
-{
-    constexpr std::size_t few = 3;
-    constexpr double behind = 0.25;  // of score; rivals matter within a tenth of that
-    const auto part = excerpts(fit.cases, levels[1], refine_ticks, 1);
-    const auto some = [&](std::size_t from, std::size_t to) {
-        fit.parallel(to - from, [&](std::size_t i) {
-            Attribution& a = ranked[from + i];
-            if (!a.refined) refine(fit, part, a);
-            a.refined = true;
-        });
-        std::stable_sort(ranked.begin(), ranked.end(), better);
-    };
-    most = std::min(most, ranked.size());
-    some(0, std::min(few, most));
-    while (most > few && !ranked.empty() && ranked[0].accepted && ranked[most - 1].score > ranked[0].score + behind)
-        --most;
-    some(0, most);
 }
 
 void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size_t most)

@@ -23,12 +23,22 @@ bool moves_encoder(const Candidate& candidate);
 /// Whether it gives two known masses backlash: where the link rests within it is history, which excerpts cut off, and a
 /// wrong flank at their start outweighs the right width. Such a candidate is looked at on whole records.
 bool needs_history(const Candidate& candidate);
+/// About how long a candidate takes to fit, against others.
+double cost_of(const Candidate& candidate);
+/// Neighbours in groups of at most so many, of which none costs more than so many usual ones, unless it is one alone;
+/// the dearest group first: what takes longest must not begin last.
+std::vector<std::vector<std::size_t>> in_groups(std::span<const double> costs, std::size_t most);
 bool better(const Attribution& a, const Attribution& b);
+
+inline constexpr std::size_t refine_ticks = 45000;  ///< of all records together, for all levels
 
 /// One descent, or a search of `effort` evaluations a parameter where the misfit is jagged.
 LevelFit improve(const FitProblem& problem, const Eigen::VectorXd& x, int effort, int descents = iterations);
 
 Fitting<LevelFit> improving(FitProblem problem, Eigen::VectorXd x, int effort, int descents = iterations);
+
+/// The number of the best of these starts.
+Fitting<std::size_t> nearest_start(FitProblem problem, std::vector<Eigen::VectorXd> from);
 
 /// The best of descents from the given starts. With many starts, or a jagged misfit, all are evaluated
 /// and the two best go on, or the best of each value that the form wants apart.

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace stickslip::gap {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 constexpr std::size_t refined_singles = 8;
 /// So many candidates are fitted side by side: fewer leave lanes empty, more leave threads without work at the end.
 constexpr std::size_t at_once = 4;
+constexpr std::size_t two_masses_at_once = 2;  // which have more starts each
 
 /// What the records are searched on.
 struct Parts {
@@ -17,12 +19,14 @@ struct Parts {
     const std::vector<Case>& of(const Candidate& c) const { return needs_history(c) ? whole : brief; }
 };
 
-/// A first look at some candidates; those without a start are left out.
-std::vector<Attribution> looked_at(const Fit& fit, std::span<const Candidate> some, const Parts& parts, double omega)
+/// A first look at some candidates, those of these numbers; nothing of one without a start.
+void look_at(const Fit& fit, const std::vector<Candidate>& some, std::span<const std::size_t> which, const Parts& parts,
+             double omega, std::vector<std::optional<Attribution>>& looked)
 {
     std::vector<Fitting<LevelFit>> fits;
     std::vector<std::size_t> own;  // fits of each candidate
-    for (const auto& candidate : some) {
+    for (const std::size_t i : which) {
+        const Candidate& candidate = some[i];
         // frequencies are found on whole records: gaps would blur their spectra
         const auto from = starts(fit.cases, fit.scales, candidate, {}, {});
         own.push_back(0);
@@ -31,13 +35,11 @@ std::vector<Attribution> looked_at(const Fit& fit, std::span<const Candidate> so
             fits.push_back(std::move(f)), ++own.back();
     }
     auto found = side_by_side(std::move(fits));
-    std::vector<Attribution> forms;
     std::span<LevelFit> left(found);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-        if (own[i] > 0) forms.push_back(as_screened(fit, some[i], best_of(left.first(own[i]))));
-        left = left.subspan(own[i]);
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        if (own[k] > 0) looked[which[k]] = as_screened(fit, some[which[k]], best_of(left.first(own[k])));
+        left = left.subspan(own[k]);
     }
-    return forms;
 }
 
 }  // namespace
@@ -48,22 +50,21 @@ std::vector<Attribution> fit_singles(const Fit& fit, const std::vector<Candidate
     const Parts parts{excerpts(fit.cases, omega, brief_ticks, coarse), uncut(fit.cases, coarse)};
     std::vector<Attribution> best;
     const auto screen = [&](const std::vector<Candidate>& some) {
-        std::vector<std::vector<Attribution>> groups((some.size() + at_once - 1) / at_once);
-        fit.parallel(groups.size(), [&](std::size_t i) {
-            const std::size_t from = i * at_once;
-            groups[i] =
-                looked_at(fit, std::span(some).subspan(from, std::min(at_once, some.size() - from)), parts, omega);
-        });
-        for (auto& forms : groups)
-            for (auto& f : forms) {
-                const auto same = std::find_if(best.begin(), best.end(), [&](const auto& b) {
-                    return b.candidate.effects == f.candidate.effects;
-                });
-                if (same == best.end())
-                    best.push_back(std::move(f));
-                else if (better(f, *same))
-                    *same = std::move(f);
-            }
+        std::vector<double> costs;
+        for (const auto& candidate : some) costs.push_back(cost_of(candidate));
+        const auto groups = in_groups(costs, std::ranges::any_of(some, two_mass_edit) ? two_masses_at_once : at_once);
+        std::vector<std::optional<Attribution>> looked(some.size());
+        fit.parallel(groups.size(), [&](std::size_t g) { look_at(fit, some, groups[g], parts, omega, looked); });
+        for (auto& form : looked) {
+            if (!form) continue;
+            const auto same = std::find_if(best.begin(), best.end(), [&](const auto& b) {
+                return b.candidate.effects == form->candidate.effects;
+            });
+            if (same == best.end())
+                best.push_back(std::move(*form));
+            else if (better(*form, *same))
+                *same = std::move(*form);
+        }
         std::stable_sort(best.begin(), best.end(), better);
         refine_best(fit, best, refined_singles);
     };

@@ -13,9 +13,9 @@
 namespace stickslip::gap {
 namespace {
 
-void fit_single(Prepared& p, const Fit& fit, const StageProgress& progress, Findings& f)
+void fit_single(Prepared& p, const Fit& fit, StageMeter& meter, Findings& f)
 {
-    progress(DiagnosisStage::fitting_singles, 0.1);
+    meter.begin(DiagnosisStage::fitting_singles);
     f.singles = fit_singles(fit, single_candidates(p.cases, p.audit));
     // a jump in the wrong place costs little beside the effect, and much once the effect is found
     if (!f.singles.empty() &&
@@ -37,11 +37,11 @@ void fit_pair(const Fit& fit, std::size_t pair_partners, Findings& f)
 }
 
 /// The best cause against unmodelled forces: where one of them is clearly better, it is only the nearest in shape.
-void hold_against_free_forces(const Fit& fit, const StageProgress& progress, Findings& f)
+void hold_against_free_forces(const Fit& fit, StageMeter& meter, Findings& f)
 {
     const Attribution& nearest = *f.decision.winner;
     if (mean_log_misfit(nearest.evaluation) < policy::least_of_free_force) return;
-    progress(DiagnosisStage::fitting_free_forces, 0.85);
+    meter.begin(DiagnosisStage::fitting_free_forces);
     f.free = fit_free_forces(fit);
     if (!clearly_better(f.free[0], nearest)) return;
     f.why_not = Note{
@@ -51,12 +51,12 @@ void hold_against_free_forces(const Fit& fit, const StageProgress& progress, Fin
 }
 
 /// The same for a ladder that leaves more than noise, with the corrections refitted beside those forces, too.
-void hold_ladder_against_free_forces(const Fit& fit, const StageProgress& progress, Findings& f)
+void hold_ladder_against_free_forces(const Fit& fit, StageMeter& meter, Findings& f)
 {
     JudgedLadder& j = f.judged;
     const bool only_noise = j.noise_left || j.noise_below;
     if (!j.answers() || only_noise || mean_log_misfit(j.winner.evaluation) < policy::least_of_free_force) return;
-    progress(DiagnosisStage::fitting_free_forces, 0.85);
+    meter.begin(DiagnosisStage::fitting_free_forces);
     f.free = fit_free_forces(fit, j.ladder.corrections.get());
     hold_against(j, f.free[0]);
 }
@@ -171,8 +171,8 @@ bool accepted(const Decision& d)
 
 }  // namespace
 
-void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StageProgress& progress,
-                 const ParallelFor& parallel, Findings& f)
+void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& meter, const ParallelFor& parallel,
+                 Findings& f)
 {
     const Fit fit = p.fit(parallel);
     LadderRules rules = policy::ladder;
@@ -180,17 +180,17 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
     if (p.whole.size() == 1) rules.prior.coulomb_of_record = 0;
     f.none.evaluation = p.nominal.evaluation;
     f.none.score = p.nominal.score;
-    progress(DiagnosisStage::measuring_floor, 0.05);
+    meter.begin(DiagnosisStage::measuring_floor);
     f.within_noise = f.none.accepted = at_floor(fit, f.none);
     if (f.within_noise) return;
-    fit_single(p, fit, progress, f);
+    fit_single(p, fit, meter, f);
     if (!f.singles.empty() && !f.singles[0].accepted) {
         f.pairs = fit_parts(fit, f.singles);
         confirm(fit, f.pairs);
     }
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
     if (!accepted(f.decision)) {
-        progress(DiagnosisStage::correcting_numbers, 0.4);
+        meter.begin(DiagnosisStage::correcting_numbers);
         LadderSearch search(fit, f.singles, rules);
         const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
         f.judged.ladder = search.climb({}, 1);
@@ -201,12 +201,12 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
             const double left = s.rungs.empty() ? s.base : s.rungs[0];
             const bool nothing_alone = s.rungs.empty() && !f.judged.only_corrections;
             if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
-                progress(DiagnosisStage::fitting_pairs, 0.5);
+                meter.begin(DiagnosisStage::fitting_pairs);
                 fit_pair(fit, pair_partners, f);
                 f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
             }
             if (!accepted(f.decision)) {
-                progress(DiagnosisStage::climbing_ladder, 0.75);
+                meter.begin(DiagnosisStage::climbing_ladder);
                 f.judged = {};
                 f.judged.ladder = search.climb(f.pairs, rules.most_rungs, only_noise);
                 judge(f.judged, search.data(), fit);
@@ -223,11 +223,11 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, const StagePr
         LadderSearch search(fit, none, rules);
         if (document_suffices(search, fit, p.documented, runs, f)) return;
         f.by_ladder = false;
-        hold_against_free_forces(fit, progress, f);
+        hold_against_free_forces(fit, meter, f);
         f.judged = {};
         note_accepted(search, fit, f);
     }
-    if (f.by_ladder) hold_ladder_against_free_forces(fit, progress, f);
+    if (f.by_ladder) hold_ladder_against_free_forces(fit, meter, f);
     if (f.by_ladder) f.why_not = f.judged.why_not;
 }
 

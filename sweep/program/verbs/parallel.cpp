@@ -3,6 +3,8 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
+
 namespace stickslip {
 
 struct ThreadLimit::Hidden {
@@ -11,7 +13,11 @@ struct ThreadLimit::Hidden {
 
 void parallel_for_each(std::size_t n, const std::function<void(std::size_t)>& task)
 {
-    tbb::parallel_for(std::size_t{0}, n, task);
+    // oneTBB would give each thread a part of the row: then what was put first, because it takes longest, would all be
+    // one thread's
+    std::atomic<std::size_t> next{0};
+    tbb::parallel_for(
+        std::size_t{0}, n, [&](std::size_t) { task(next++); }, tbb::simple_partitioner());
 }
 
 ThreadLimit::ThreadLimit(int threads)

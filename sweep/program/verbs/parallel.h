@@ -6,7 +6,7 @@
 
 namespace stickslip {
 
-/// task(0) … task(n − 1) on all cores that the running ThreadLimit allows.
+/// task(0) … task(n − 1) on all cores that the running ThreadLimit allows, begun in this order.
 void parallel_for_each(std::size_t n, const std::function<void(std::size_t)>& task);
 
 /// While it lives, at most so many threads work; 0: all cores.

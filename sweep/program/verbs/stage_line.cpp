@@ -46,8 +46,12 @@ StageLine::~StageLine()
 void StageLine::stage(std::string what, double done)
 {
     const std::lock_guard lock(mutex_);
+    const bool begins = stage_ != what || !is_set(done);
+    // another joint's diagnosis begins anew
+    if (!(done >= done_)) began_ = std::chrono::steady_clock::now();
     stage_ = std::move(what);
     done_ = done;
+    if (!begins) return;
     tasks_ = 0;
     if (terminal_ && drawn_) draw();
 }
@@ -74,13 +78,14 @@ ParallelFor StageLine::counted(ParallelFor run)
 void StageLine::draw()
 {
     if (stage_.empty()) return;
-    const auto seconds =
-        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - start_).count();
+    const auto now = std::chrono::steady_clock::now();
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
+    const auto left = time_left_text(done_, std::chrono::duration<double>(now - began_).count());
     const std::size_t tasks = tasks_, finished = finished_;
-    const auto text = fmt::format("{}{}{}  {} s{}",
+    const auto text = fmt::format("{}{}{}  {} s{}{}",
                                   is_set(done_) ? fmt::format("{:3.0f} %  ", 100 * done_) : "still searching: ", stage_,
                                   tasks > 1 ? fmt::format(", {} of {}", finished, tasks) : "", seconds,
-                                  shorter_.empty() ? "" : "  (" + shorter_ + ")");
+                                  left.empty() ? "" : ", " + left, shorter_.empty() ? "" : "  (" + shorter_ + ")");
     say("{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
     std::fflush(stderr);
     drawn_ = true;

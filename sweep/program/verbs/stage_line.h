@@ -1,5 +1,5 @@
-// What a long answer is busy with: stage, how many of its tasks are done, seconds. On a terminal one line that changes,
-// in a pipe or a log a new line every 30 s.
+// What a long answer is busy with: stage, how many of its tasks are done, seconds, and about how many are left. On a
+// terminal one line that changes, in a pipe or a log a new line every 30 s.
 #pragma once
 #include "analysis/base/field.h"
 #include "analysis/diagnosis/search/attribute.h"
@@ -39,6 +39,7 @@ class StageLine {
     std::string shorter_;
     bool terminal_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point began_ = start_;  ///< the work that `done_` is a part of
     std::mutex mutex_;
     std::condition_variable ended_;
     bool end_ = false, drawn_ = false;

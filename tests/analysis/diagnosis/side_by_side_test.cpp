@@ -90,3 +90,13 @@ TEST_CASE("what a part of a fit throws reaches whoever waits for the fit", "[gap
     CHECK(alone(one()) == 1);
     CHECK_THROWS_AS(alone(awaits_failure()), std::runtime_error);
 }
+
+TEST_CASE("dear candidates are in groups of few, and begin first", "[gap]")
+{
+    using Groups = std::vector<std::vector<std::size_t>>;
+    CHECK(in_groups(std::vector<double>{1, 1, 1, 1, 1}, 4) == Groups{{0, 1, 2, 3}, {4}});
+    CHECK(in_groups(std::vector<double>{1, 10, 10, 1, 1}, 2) == Groups{{1}, {2}, {3, 4}, {0}});
+    CHECK(in_groups({}, 3).empty());
+    const Candidate spring = only("compliance"), viscous = only("viscous");
+    CHECK(cost_of(spring) > 5 * cost_of(viscous));
+}

@@ -1,0 +1,46 @@
+#include "analysis/diagnosis/verdict/stage_meter.h"
+#include "tests/in_order.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <thread>
+
+using namespace stickslip;
+using namespace stickslip::gap;
+
+TEST_CASE("within a stage the part that is done grows with every task and stays below the next stage's", "[gap]")
+{
+    std::vector<double> told;
+    const StageProgress tell = [&](DiagnosisStage stage, double done) {
+        CHECK(stage == DiagnosisStage::fitting_singles);
+        told.push_back(done);
+    };
+    const ParallelFor run = test::in_order;
+    StageMeter meter(run, tell);
+    meter.begin(DiagnosisStage::fitting_singles);
+    for (int round = 0; round < 50; ++round) meter.run(4, [](std::size_t) {});
+    CHECK(told.front() == begins_at(DiagnosisStage::fitting_singles));
+    CHECK(std::ranges::is_sorted(told));
+    CHECK(told[1] > told[0]);
+    CHECK(told[4] > told[1]);
+    CHECK(told.back() <= begins_at(DiagnosisStage::correcting_numbers));
+}
+
+TEST_CASE("the tasks of a task are counted with it, and other threads tell nothing", "[gap]")
+{
+    const auto caller = std::this_thread::get_id();
+    int told = 0, done = 0;
+    const StageProgress tell = [&](DiagnosisStage, double) {
+        CHECK(std::this_thread::get_id() == caller);
+        ++told;
+    };
+    const ParallelFor elsewhere = [](std::size_t n, const std::function<void(std::size_t)>& task) {
+        std::thread([&] { test::in_order(n, task); }).join();
+    };
+    StageMeter meter(elsewhere, tell);
+    meter.begin(DiagnosisStage::climbing_ladder);
+    meter.run(2, [&](std::size_t) { meter.run(3, [&](std::size_t) { ++done; }); });
+    CHECK(done == 6);
+    CHECK(told == 2);
+}

@@ -43,6 +43,14 @@ void change_friction(Joint& j, const FrictionNumber& number, const double change
     number.shift(j.frictions.link, (1 - motor) * change);
 }
 
+/// Whether each of the numbers is as near as this many standard deviations; the last of these is of all that follow.
+bool within(const Eigen::VectorXd& numbers, const std::vector<double>& sds, double most)
+{
+    for (Eigen::Index n = 0; n < numbers.size(); ++n)
+        if (std::abs(numbers[n]) > most * sds[std::min(static_cast<std::size_t>(n), sds.size() - 1)]) return false;
+    return true;
+}
+
 }  // namespace
 
 void Corrections::add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*),
@@ -103,12 +111,15 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
     add(
         "constant-load", number(Quantity::effort, Scale::load_effort, false, prior.load * level, "constant load"),
         [](Joint& to, const double* p) { to.load.constant += p[0]; }, false);
-    if (const double gravity = std::abs(j.load.gravity_amplitude); gravity > 0)
+    if (const double gravity = std::abs(j.load.gravity_amplitude); gravity > 0) {
         add(
             "gravity",
             number(Quantity::effort, Scale::load_effort, false,
                    prior.gravity * gravity / unit_of(Scale::load_effort, scales), "change of the gravity amplitude"),
             [](Joint& to, const double* p) { to.load.gravity_amplitude += p[0]; }, false);
+        // its angle is none of that number: over a small travel it is a load, and as usual as one
+        sds_.back().push_back(prior.load * level);
+    }
     if (records_ > 1 && prior.coulomb_of_record > 0)
         add(
             of_record,
@@ -186,7 +197,7 @@ std::optional<std::size_t> Corrections::one_of(const Candidate& causes, const Ei
         const bool same = same_number(*causes.effects[i], *causes.forms[i]);
         for (std::size_t k = 0; k < effects_.size(); ++k) {
             if (causes.effects[i]->name != effects_[k].name) continue;
-            if (same && x.segment(at, count).cwiseAbs().maxCoeff() <= widest_ * sds_[k][0]) return i;
+            if (same && within(x.segment(at, count), sds_[k], widest_)) return i;
             if (is_small_term(effects_[k]) && is_usual(causes, x, *causes.effects[i])) return i;
         }
         at += count;

@@ -111,6 +111,19 @@ TEST_CASE("a documented gravity that is a few per cent off is corrected, one tha
     CHECK(far.ladder.rungs[0].causes.effects[0]->name == "gravity");
 }
 
+TEST_CASE("a gravity of nearly the documented size at another angle is a cause, and no constant load",
+          "[gap][ladder][slow]")
+{
+    Joint document = test::nominal_arm();
+    document.load.gravity_amplitude = 10;
+    Machine m;
+    m.inertia = 1.2 * 0.97, m.gravity = 10 * 0.95, m.gravity_angle = 0.1;
+    m.amplitude = 4;  // the cosine changes by some per cent over the travel
+    const Climbed c(m, document, {"viscous", "constant-load", "gravity", "asymmetric-friction"});
+    REQUIRE(c.ladder.rungs.size() == 1);
+    CHECK(c.ladder.rungs[0].causes.effects[0]->name == "gravity");
+}
+
 TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder][slow]")
 {
     Machine m;

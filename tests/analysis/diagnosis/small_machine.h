@@ -25,7 +25,8 @@ struct Machine {
     double step_time = 2;         ///< s
     double command_limit = 1e9;   ///< N, of the controller
     double dead_zone = 0;         ///< m: by this much less of a position error counts
-    double gravity = 0;           ///< N, times the sine of the position
+    double gravity = 0;           ///< N, times the sine of the position and of this angle
+    double gravity_angle = 0;     ///< rad
     double picked_up = 0;         ///< kg, little by little from picked_up_at on for half a second
     double picked_up_at = 3;      ///< s
     double k_i = 0;               ///< N/(m·s)
@@ -88,8 +89,8 @@ inline void step(const Machine& m, MachineState& s, double u, double t, double h
     const double spring = m.hung > 0 ? m.hung_stiffness * hardened * stretch + m.hung_damping * (hung_speed - v) : 0.0;
     hung_speed -= m.hung > 0 ? h / m.hung * spring : 0.0;
     hung_at += h * hung_speed;
-    const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load - m.gravity * std::sin(q) -
-                        m.cubic * q * q * q - m.bellows * followed +
+    const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load -
+                        m.gravity * std::sin(q + m.gravity_angle) - m.cubic * q * q * q - m.bellows * followed +
                         m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
     const double fast = v / m.peak_velocity;
     const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q) + m.peak / (1 + fast * fast);

@@ -152,7 +152,8 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (shown) report_rivals(p, parallel, f, ranked, winner, d);
     if (shown) report_filter(p, d);
     const bool settled = f.within_noise || f.by_ladder || winner.accepted || wrong_controller;
-    if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder})) return;
+    if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder, wrong_controller ? 1u : 0u}))
+        return;
     const Joint documented = result.after;
     result.after = p.cases[0].joint;
     if (p.cases[0].ticks.source == CommandSource::measured)

@@ -64,6 +64,8 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::rejected_leaves_most, "withdrawn-leaves-most"},
     {Code::rejected_implausible, "withdrawn-implausible"},
     {Code::rejected_in_many_floors, "withdrawn-in-many-floors"},
+    {Code::doubted_above_noise, "doubted-above-noise"},
+    {Code::doubted_as_a_whole, "doubted-as-a-whole"},
     {Code::far_as_a_whole, "far-as-a-whole"},
     {Code::interrupted_early, "interrupted-early"},
     {Code::interrupted_located, "interrupted-located"},

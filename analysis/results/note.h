@@ -74,8 +74,11 @@ struct Note {
         rejected_leaves_most,     ///< names: of the gap on held-out data
         rejected_implausible,     ///< names: more than noise is left, and a number is at its bound
         rejected_in_many_floors,  ///< names; values: noise floors that remain; the noise is not documented
-        far_as_a_whole,     ///< values: noise floors by which the nominal joint misses where rows are within the noise
-        interrupted_early,  ///< names: codes of the stage and those left out; nothing was found yet
+        doubted_above_noise,      ///< names, which may not act alone; values: noise floors that remain
+        doubted_as_a_whole,  ///< names; values: what they explain of whole records, simulated, and noise floors that
+                             ///< remain
+        far_as_a_whole,      ///< values: noise floors by which the nominal joint misses where rows are within the noise
+        interrupted_early,   ///< names: codes of the stage and those left out; nothing was found yet
         interrupted_located,  ///< names: codes of the stage and those left out; where the gap lies was found
         // friction rigs
         rig,

@@ -139,6 +139,13 @@ constexpr Sentence sentences[] = {
     {Code::rejected_in_many_floors,
      "{names} fits best, but leaves {0:.1f} times the noise floor on held-out data, and the joint file states no "
      "sensor noise: it is not named as the cause"},
+    {Code::doubted_above_noise,
+     "{names} leaves {0:.1f} times the documented noise on held-out data: another effect probably acts as well, or in "
+     "its "
+     "place"},
+    {Code::doubted_as_a_whole,
+     "{names} predicts held-out rows, but simulations of whole records explain only {share0} of the gap and leave "
+     "{1:.1f} times the noise floor: another cause is as likely"},
     {Code::far_as_a_whole,
      "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
      "times the noise floor away: these rows are too few or too far apart to determine the cause"},

@@ -8,11 +8,26 @@
 namespace stickslip::gap {
 namespace {
 
-void believe_at_most(std::vector<Cause>& causes, double most)
+/// The factor by which the causes are less probable now.
+double believe_at_most(std::vector<Cause>& causes, double most)
 {
-    if (causes.empty() || causes[0].probability <= most) return;
+    if (causes.empty() || causes[0].probability <= most) return 1;
     const double factor = most / causes[0].probability;
     for (auto& c : causes) c.probability *= factor;
+    return factor;
+}
+
+/// The named set is doubted, and with it what it rests on: the last rung of a ladder that was climbed, as it takes
+/// least, and every rung of a set that was accepted at once. Findings of the audit rest on the command alone.
+void doubt(Diagnosis& d, const Standing& standing, double most, Note why)
+{
+    const double factor = believe_at_most(d.effects, most);
+    if (factor == 1) return;
+    why.names = d.effects[0].names;
+    d.reasons.push_back(std::move(why));
+    const std::size_t last = d.ladder.empty() ? 0 : d.ladder.size() - 1;
+    for (std::size_t i = std::max(standing.findings, standing.predicted ? last : 0); i < d.ladder.size(); ++i)
+        d.ladder[i].probability *= factor;
 }
 
 /// Whether simulations of whole records keep a part of the gap that predictions from row to row know nothing of.
@@ -41,11 +56,13 @@ bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
     if (d.verdict != Verdict::gap) return false;
     auto why = why_rejected(d, standing);
     if (!why) {
-        if (!standing.settled && standing.noise_documented &&
-            d.overall.after > policy::more_than_noise * d.overall.noise())
-            believe_at_most(d.effects, policy::believed_doubted);
-        if (standing.predicted && simulates_too_little(d.overall))
-            believe_at_most(d.effects, policy::believed_simulated);
+        const OverallGap& gap = d.overall;
+        const double floors = gap.after / gap.noise();
+        if (!standing.settled && standing.noise_documented && floors > policy::more_than_noise)
+            doubt(d, standing, policy::believed_doubted, {.code = Note::Code::doubted_above_noise, .values = {floors}});
+        if (standing.predicted && simulates_too_little(gap))
+            doubt(d, standing, policy::believed_simulated,
+                  {.code = Note::Code::doubted_as_a_whole, .values = {gap.explained, floors}});
         return false;
     }
     d.verdict = Verdict::unknown;

@@ -11,6 +11,7 @@ struct Standing {
     bool settled = false;
     bool noise_documented = false;  ///< noise floors are the documented ones
     bool predicted = false;         ///< its rungs were judged by predictions of rows that their fits had not seen
+    std::size_t findings = 0;       ///< rungs at the head of the ladder that the controller's audit found
 };
 
 /// The verdict becomes `unknown` if the named cause enlarges the gap on held-out data, or if an unsettled cause leaves
@@ -18,7 +19,8 @@ struct Standing {
 /// reasons say why, `ambiguous_with` is emptied, the ranking stays. A ladder of predictions stays, too, where only the
 /// simulation of whole records gets worse: what was gained from row to row was gained, though it names no cause. An
 /// unsettled cause that leaves more than a documented noise has a lower probability, and so has one that explains much
-/// less of simulated records than of predicted rows. Returns whether the cause was rejected.
+/// less of simulated records than of predicted rows; the reasons say why, and rungs are no surer than their set.
+/// Returns whether the cause was rejected.
 bool reject_if_not_validated(Diagnosis& diagnosis, const Standing& standing);
 
 /// A verdict of no gap becomes `unknown` if the simulation of whole records is far from them: noise may hide from row

@@ -86,6 +86,8 @@ TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals a
     CHECK(d.verdict == Verdict::gap);
     CHECK(d.effects[0].probability == 0.2);
     CHECK(d.effects[1].probability == Approx(0.1));
+    REQUIRE(d.reasons.size() == 1);
+    CHECK(d.reasons[0] == Note{.code = Note::Code::doubted_above_noise, .names = {"stribeck"}, .values = {2}});
     for (const auto& [after, standing] : {std::pair{1.2, Standing{.noise_documented = true}}, {2.0, Standing{}}}) {
         d = leaving(10, after);
         CHECK_FALSE(reject_if_not_validated(d, standing));
@@ -106,6 +108,32 @@ TEST_CASE("a ladder of predictions is doubted where whole records are simulated 
     CHECK(probability(4, true) == 0.5);  // 0.85 is explained
     CHECK(probability(3, true) == 0.6);
     CHECK(probability(4, false) == 0.6);
+}
+
+TEST_CASE("rungs of a ladder are no surer than the set that simulations doubt, and the reason is said", "[gap]")
+{
+    const auto doubted = [](std::size_t findings, std::vector<double> probabilities) {
+        auto d = leaving(10, 4);
+        d.overall.explained = 84.0 / 99;
+        d.ladder.resize(probabilities.size());
+        for (std::size_t i = 0; i < probabilities.size(); ++i) d.ladder[i].probability = probabilities[i];
+        CHECK_FALSE(reject_if_not_validated(d, {.settled = true, .predicted = true, .findings = findings}));
+        CHECK(d.effects[0].probability == 0.5);
+        REQUIRE(d.reasons.size() == 1);
+        CHECK(d.reasons[0].code == Note::Code::doubted_as_a_whole);
+        CHECK(d.reasons[0].names == std::vector<std::string>{"stribeck"});
+        CHECK(d.reasons[0].values == std::vector<double>{84.0 / 99, 4});
+        std::vector<double> left;
+        for (const auto& rung : d.ladder) left.push_back(rung.probability);
+        return left;
+    };
+    CHECK(doubted(0, {0.6})[0] == Approx(0.5));
+    // what a set of two is doubted for its last rung bears: their product is that of the set
+    const auto two = doubted(0, {0.8, 0.75});
+    CHECK(two[0] == 0.8);
+    CHECK(two[0] * two[1] == Approx(0.5));
+    CHECK(doubted(1, {0.98})[0] == 0.98);  // read off the command
+    CHECK(doubted(1, {0.98, 0.6})[1] == Approx(0.5));
 }
 
 TEST_CASE("a cause that leaves many floors which nobody documented is not named", "[gap]")

@@ -15,8 +15,9 @@ void put_controller_in_order(Cause controller, const JudgedLadder& j, Diagnosis&
     for (std::size_t i = 1; i < d.ladder.size(); ++i) beside += d.ladder[i].share;
     for (const auto& c : d.effects) sum += c.probability;
     // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
-    const bool good_part = beside > 0 && (beside >= policy::least_against_corrections * d.ladder[0].share ||
-                                          (j.noise_left && only_stated_numbers(j.ladder)));
+    const double least = j.usual ? policy::least_against_corrections : policy::least_beside_finding;
+    const bool good_part =
+        beside > 0 && (beside >= least * d.ladder[0].share || (j.noise_left && only_stated_numbers(j.ladder)));
     if (good_part && j.noise_left) return;
     if (good_part && d.effects[0].probability > policy::finding_and_more) {
         controller.probability = std::max(0.0, 1 - sum);

@@ -11,8 +11,26 @@ struct Note {
     /// Behind each code what it carries beside `record`; values are in SI units, shares are parts of one.
     enum class Code {
         // of those who read the files
-        told,           ///< `text`, as it came
-        contradiction,  ///< `text`: record and joint cannot both be in their units; nothing was concluded
+        told,       ///< `text`, as it came
+        motor_off,  ///< values: rows without torque, all rows
+        // what no record of this joint can hold: two things that were given cannot both be in their units, and nothing
+        // was concluded. Names are of signals; "position_rate" is what position changes by in a second
+        unit_between_signals,    ///< names: the unit that is suspected, what moves farther, beside what; values: factor
+        unit_by_gains,           ///< names: the unit that is suspected; values: what the gains make of the motion, in
+                                 ///< parts of the logged command
+        sign_by_gains,           ///< the gains ask for the opposite of the logged command
+        gains_of_another_joint,  ///< values: the same parts, which no unit makes
+        opposite_signs,          ///< names: what runs against what
+        unit_of_rate,            ///< names: what is in another unit than what; values: factor
+        unit_of_effort,          ///< values: the measured effort varies by so much of what the command asks for
+        dead_signal,             ///< names: what stays while the position moves; values: where
+        unit_by_travel,          ///< names: the unit that is suspected, its sign, that of the joint; values: travel
+        unit_of_clock,           ///< names: the unit that is suspected, if any; values: s between rows, control.period
+        slow_clock,              ///< values: s between rows
+        duty_above_one,          ///< values: the most
+        command_beyond_limit,    ///< values: the most, the limit
+        unsigned_numbers,        ///< names: the signal; values: both ends of the gap, the most, bits, what to take off
+        magnitude_only,          ///< names: the effort that has lost its sign
         // what a record holds
         too_few_rows,        ///< values: rows, how many are needed
         position_still,      ///< the position does not change beyond its noise
@@ -117,7 +135,8 @@ std::string_view name_of(Note::Code code);
 /// Record and joint do not fit together: nothing was concluded.
 inline bool contradicts(const Note& note)
 {
-    return note.code == Note::Code::contradiction || note.code == Note::Code::another_joint;
+    const bool of_signals = note.code >= Note::Code::unit_between_signals && note.code <= Note::Code::magnitude_only;
+    return of_signals || note.code == Note::Code::another_joint;
 }
 
 }  // namespace stickslip

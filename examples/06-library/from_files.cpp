@@ -53,7 +53,7 @@ try {
 
     const auto joint = stickslip::read_joint(joint_file);
     const auto read = stickslip::read_record(record_file, joint);
-    for (const auto& warning : read.warnings) std::printf("%s: %s\n", record_file.c_str(), warning.c_str());
+    for (const auto& warning : read.sentences()) std::printf("%s: %s\n", record_file.c_str(), warning.c_str());
     const auto found = stickslip::gap::diagnose(joint, {read.record}, side_by_side).diagnosis;
     std::printf("%s\n", name_of(found.verdict).c_str());
     for (const auto& cause : found.effects) std::printf("%-20s %.3f\n", cause.names[0].c_str(), cause.probability);

@@ -148,9 +148,7 @@ std::vector<std::string> gathered_notes(const Diagnosis& d)
         return std::any_of(d.records.begin(), d.records.end(), [&](const auto& r) { return r.file == note.record; });
     };
     const auto said_as_reason = [&](const Note& note) {
-        return std::any_of(d.reasons.begin(), d.reasons.end(), [&](const Note& reason) {
-            return reason == note || (contradicts(reason) && reason.text == note.text && !note.text.empty());
-        });
+        return std::find(d.reasons.begin(), d.reasons.end(), note) != d.reasons.end();
     };
     struct Counted {
         Note common;  ///< without the record

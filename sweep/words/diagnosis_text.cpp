@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/policy/policy.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/stage_text.h"
+#include "sweep/words/suspicion_text.h"
 
 #include <fmt/args.h>
 #include <fmt/format.h>
@@ -29,7 +30,6 @@ static_assert(gap::policy::shown == 5 && gap::policy::implausible_size == 10 && 
 
 constexpr Sentence sentences[] = {
     {Code::told, "{text}"},
-    {Code::contradiction, "{text}"},
     {Code::too_few_rows, "{0:.0f} rows; at least {1:.0f} are needed"},
     {Code::position_still, "the position does not change beyond its noise"},
     {Code::nothing_drives, "neither a command nor a reference was logged: the input of the joint is unknown"},
@@ -233,8 +233,8 @@ fmt::dynamic_format_arg_store<fmt::format_context> parts_of(const Note& note)
 
 std::string remark_text(const Note& note)
 {
-    const auto* found = std::find_if(std::begin(sentences), std::end(sentences),
-                                     [&](const Sentence& sentence) { return sentence.code == note.code; });
+    if (is_suspicion(note.code)) return suspicion_text(note);
+    const auto* found = std::ranges::find(sentences, note.code, &Sentence::code);
     if (found == std::end(sentences))
         throw std::logic_error("no words for the note " + std::string(name_of(note.code)));
     return fmt::vformat(found->words, parts_of(note));

@@ -19,6 +19,7 @@
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/set_point_text.h"
 #include "sweep/words/study_text.h"
+#include "sweep/words/suspicion_text.h"
 #include "sweep/words/timeline_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -77,6 +78,11 @@ std::string near_mode_text(const NearMode&, Units)
 std::string remark_text(const Note& note)
 {
     return "#" + std::string(name_of(note.code));
+}
+
+std::string suspicion_text(const Note& note)
+{
+    return remark_text(note);
 }
 
 std::string note_text(const Note& note)

@@ -114,6 +114,26 @@ TEST_CASE("a page carries a date only when asked, and is the same every time", "
     CHECK(stickslip(again + " --timestamp yesterday").exit_code == 2);
 }
 
+TEST_CASE("the page of one sweep goes where -o says, and nowhere else", "[program][slow]")
+{
+    Folder folder;
+    sweep(folder, "a", "1e-5");
+    const auto first = program::read(folder / "a/report.html");
+    std::filesystem::remove(folder / "a/report.html");
+    const std::string again = "report '" + (folder / "a") + "' -o '";
+    const auto elsewhere = stickslip(again + (folder / "b") + "'");
+    INFO(elsewhere.output);
+    CHECK(elsewhere.exit_code == 0);
+    CHECK_THAT(elsewhere.output, Contains("report:  " + (folder / "b/report.html")));
+    CHECK(program::read(folder / "b/report.html") == first);
+
+    const auto nowhere = stickslip(again + "/proc/page'");
+    INFO(nowhere.output);
+    CHECK(nowhere.exit_code == 2);
+    CHECK_THAT(nowhere.output, Contains("/proc/page"));
+    CHECK(!std::filesystem::exists(folder / "a/report.html"));
+}
+
 TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and nothing is computed",
           "[program][slow]")
 {

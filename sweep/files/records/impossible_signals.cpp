@@ -3,7 +3,6 @@
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/records/ticks.h"
 #include "analysis/diagnosis/rig/rig.h"
-#include "sweep/files/text/toml_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,30 +26,23 @@ Extremes extremes_of(const std::vector<double>& values)
 }
 
 /// Where a signal goes beyond a limit that holds for it by definition or by the document.
-void beyond_limits(const Record& r, const Joint& joint, std::vector<Suspicion>& found)
+void beyond_limits(const Record& r, const Joint& joint, std::vector<Note>& found)
 {
     constexpr double rounding = 1.01;  // of a log of two or three digits
     const bool duty = joint.actuator.kind == ActuatorKind::dc_motor && joint.actuator.signal == DriveSignal::duty;
     if (duty && !r.drive.empty())
         if (const double most = extremes_of(r.drive).largest(); most > rounding)
-            found.push_back({"duty reaches " + number_text(most) +
-                                 ", a duty cycle is at most 1; duty = { scale = … } under [record.columns] converts "
-                                 "per cent or counts",
-                             true});
+            found.push_back({.code = Note::Code::duty_above_one, .values = {most}});
     const auto& commanded = r.effort_command.empty() ? r.drive : r.effort_command;
     const double limit = joint.control.effort_limit;
     if (commanded.empty() || !std::isfinite(limit) || (duty && limit <= 1)) return;
     if (const double most = extremes_of(commanded).largest(); most > rounding * limit)
-        found.push_back({"the logged command reaches " + number_text(most) + ", control.effort_limit is " +
-                             number_text(limit) +
-                             ": the limit, or the unit of the command, is not that of this record; [record.files] can "
-                             "give another limit",
-                         true});
+        found.push_back({.code = Note::Code::command_beyond_limit, .values = {most, limit}});
 }
 
 /// Counts of 2^n whose upper half is what negative numbers look like when their sign was lost: two heaps, one from 0
 /// upwards, one from 2^n downwards, and nothing between.
-void two_s_complement(const char* name, const std::vector<double>& values, std::vector<Suspicion>& found)
+void two_s_complement(const char* name, const std::vector<double>& values, std::vector<Note>& found)
 {
     constexpr std::size_t few = 20;  // rows: fewer leave such gaps by chance
     if (values.size() < few) return;
@@ -71,17 +63,15 @@ void two_s_complement(const char* name, const std::vector<double>& values, std::
         const double whole = std::exp2(bits);
         constexpr double near_top = 0.02;  // small negative numbers end there; a range that ends so by chance is rare
         if (most > whole || whole - most > near_top * whole || above < 0.5 * whole || below > 0.5 * whole) continue;
-        found.push_back({std::string(name) + " lies between 0 and " + number_text(*jump) + " and between " +
-                             number_text(*std::next(jump)) + " and " + number_text(sorted.back()) +
-                             ": negative numbers read as unsigned ones (two's complement of " + std::to_string(bits) +
-                             " bits) are suspected; take " + number_text(whole * step) + " off the upper half",
-                         true});
+        found.push_back({.code = Note::Code::unsigned_numbers,
+                         .names = {name},
+                         .values = {*jump, *std::next(jump), sorted.back(), static_cast<double>(bits), whole * step}});
         return;
     }
 }
 
 /// An effort that is never negative although what asks for it is, and follows its size.
-void magnitude_only(const Record& r, std::vector<Suspicion>& found)
+void magnitude_only(const Record& r, std::vector<Note>& found)
 {
     const auto& asked = r.effort_command.empty() ? r.drive : r.effort_command;
     const auto& effort = r.effort_measured.empty() ? r.current : r.effort_measured;
@@ -99,35 +89,30 @@ void magnitude_only(const Record& r, std::vector<Suspicion>& found)
     // cosines: delay, lag and noise leave more than the first; a command that goes mostly one way reaches the second
     constexpr double follows = 0.8, does_not = 0.6;
     if (!(whole > 0) || size < follows * whole || std::abs(sign) > does_not * whole) return;
-    found.push_back({std::string(r.effort_measured.empty() ? "current" : "effort_measured") +
-                         " is never negative although the command is: its magnitude was logged; remove the column, or "
-                         "give it the sign of the command",
-                     true});
+    found.push_back(
+        {.code = Note::Code::magnitude_only, .names = {r.effort_measured.empty() ? "current" : "effort_measured"}});
 }
 
 /// Without control.period nothing says how fast the loop is; but no log of a joint has a row every half second.
-void slow_clock(const Record& r, const Joint& joint, bool time_unit_named, std::vector<Suspicion>& found)
+void slow_clock(const Record& r, const Joint& joint, bool time_unit_named, std::vector<Note>& found)
 {
     constexpr double too_slow = 0.5;  // s: a joint's motion is over in as long
     if (is_set(joint.control.period) || time_unit_named || r.rows() < 3 || gap::is_rig(r)) return;
     const double step = gap::median_step(r.time);
     if (step < too_slow) return;
-    found.push_back({"suspected milliseconds: rows are " + number_text(step) +
-                         " s apart; time = { unit = \"ms\" } under [record.columns] says so, unit = \"s\" that it is "
-                         "right",
-                     true});
+    found.push_back({.code = Note::Code::slow_clock, .values = {step}});
 }
 
 }  // namespace
 
-std::vector<Suspicion> impossible_signals(const Record& record, const Joint& joint, bool time_unit_named)
+std::vector<Note> impossible_signals(const Record& record, const Joint& joint, bool time_unit_named)
 {
-    std::vector<Suspicion> found;
+    std::vector<Note> found;
     slow_clock(record, joint, time_unit_named, found);
     beyond_limits(record, joint, found);
     two_s_complement("effort_measured", record.effort_measured, found);
     two_s_complement("effort_command", record.effort_command, found);
-    two_s_complement("the drive signal", record.drive, found);
+    two_s_complement("drive", record.drive, found);
     two_s_complement("current", record.current, found);
     two_s_complement("position", record.position, found);
     magnitude_only(record, found);

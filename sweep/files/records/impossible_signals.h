@@ -4,8 +4,8 @@
 
 namespace stickslip::files {
 
-/// One sentence each; every one is a contradiction and no cause of a gap. `time_unit_named`: the layout says in which
-/// unit the time is.
-std::vector<Suspicion> impossible_signals(const Record& record, const Joint& joint, bool time_unit_named);
+/// Every one contradicts the joint and is no cause of a gap. `time_unit_named`: the layout says in which unit the time
+/// is.
+std::vector<Note> impossible_signals(const Record& record, const Joint& joint, bool time_unit_named);
 
 }  // namespace stickslip::files

@@ -4,7 +4,6 @@
 #include "analysis/diagnosis/records/ticks.h"
 #include "analysis/numerics/statistics.h"
 #include "sweep/files/records/signal_measures.h"
-#include "sweep/files/text/toml_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ class Checks {
     {
     }
 
-    std::vector<Suspicion> all()
+    std::vector<Note> all()
     {
         clock();
         if (!found_.empty()) return std::move(found_);  // every rate would be wrong, too
@@ -32,17 +31,16 @@ class Checks {
         compare("link_position", spread(r_.link_position), "position", spread(r_.position));
         const auto rate = differentiated(r_.time, r_.position);
         const auto reference_rate = differentiated(r_.time, r_.reference_position);
-        compare("velocity", spread(r_.velocity), "the rate of position", spread(rate));
+        compare("velocity", spread(r_.velocity), "position_rate", spread(rate));
         if (found_.empty())  // turns a minute, a tenth of that, motor beside joint: any factor
-            disproportion(size_of_rate(r_.time, r_.position, r_.velocity), another_rate, "velocity is", " times",
-                          " the rate of position");
+            disproportion(size_of_rate(r_.time, r_.position, r_.velocity), another_rate,
+                          {.code = Note::Code::unit_of_rate, .names = {"velocity", "position_rate"}});
         reference_unit(reference_rate);
         // a joint that follows badly may lag by half a period, a rate is rough with noise
         constexpr double follows = -0.9, is_the_same = -0.5;
         if (found_.empty()) direction("position", r_.position, "reference_position", r_.reference_position, follows);
-        direction("velocity", r_.velocity, "the rate of position", rate, is_the_same);
-        direction("reference_velocity", r_.reference_velocity, "the rate of reference_position", reference_rate,
-                  is_the_same);
+        direction("velocity", r_.velocity, "position_rate", rate, is_the_same);
+        direction("reference_velocity", r_.reference_velocity, "reference_position_rate", reference_rate, is_the_same);
         command();
         effort();
         dead_signals();
@@ -58,11 +56,9 @@ class Checks {
         if (spread_a == 0 || spread_b == 0) return;
         const double factor = wrong_factor(spread_a / spread_b, motion_);
         if (factor == 0) return;
-        const std::string& larger = factor > 1 ? a : b;
-        found_.push_back({"suspected " + std::string(foreign_unit()) + ": " + larger + " moves " +
-                              rounded(std::max(spread_a / spread_b, spread_b / spread_a)) + " times as far as " +
-                              (factor > 1 ? b : a) + "; [record] can name the unit",
-                          true});
+        found_.push_back({.code = Note::Code::unit_between_signals,
+                          .names = {foreign_unit(), factor > 1 ? a : b, factor > 1 ? b : a},
+                          .values = {std::max(spread_a / spread_b, spread_b / spread_a)}});
     }
 
     /// The logged command against what the documented gains make of the logged motion: all motion in a foreign unit.
@@ -88,23 +84,12 @@ class Checks {
         constexpr double another_joint = 4;  // no gain of the same controller is documented as wrong as that
         command_explained_ = alike > surely && ratio < near_factor && ratio > 1 / near_factor;
         if (std::abs(alike) < surely) return;
-        const std::string times = rounded(std::max(std::abs(ratio), 1 / std::abs(ratio)));
         if (alike < 0)
-            found_.push_back(
-                {"suspected sign: with the gains of the joint the logged motion requires the opposite of the "
-                 "logged command; scale = -1 under [record.columns] turns a signal round",
-                 true});
+            found_.push_back({.code = Note::Code::sign_by_gains});
         else if (ratio > 1 && wrong_factor(ratio, motion_) != 0)
-            found_.push_back({"suspected " + std::string(foreign_unit()) +
-                                  ": with the gains of the joint the logged motion requires " + times +
-                                  " times the logged command; [record] can name the unit",
-                              true});
+            found_.push_back({.code = Note::Code::unit_by_gains, .names = {foreign_unit()}, .values = {ratio}});
         else if (ratio > another_joint || ratio < 1 / another_joint)
-            found_.push_back(
-                {"suspected record of another joint: with the gains of the joint the logged motion requires " + times +
-                     (ratio > 1 ? " times" : " times less than") +
-                     " the logged command; per record, [record.files] can give other gains",
-                 true});
+            found_.push_back({.code = Note::Code::gains_of_another_joint, .values = {ratio}});
     }
 
     /// A signal that runs against what it should follow.
@@ -112,9 +97,7 @@ class Checks {
                    const std::vector<double>& others, double surely)
     {
         if (correlation(values, others) < surely)
-            found_.push_back({"suspected sign: " + a + " runs against " + b +
-                                  "; scale = -1 under [record.columns] turns a signal round",
-                              true});
+            found_.push_back({.code = Note::Code::opposite_signs, .names = {a, b}});
     }
 
     /// A reference has no noise: where it moves, it and its rate agree. Steps are no part of the rate, so medians.
@@ -126,18 +109,16 @@ class Checks {
                 given.push_back(std::abs(r_.reference_velocity[k])), expected.push_back(std::abs(rate[k]));
         constexpr std::size_t few = 20;  // rows: a median of fewer is one stretch of the motion
         if (given.size() < few) return;
-        disproportion(median(given) / median(expected), another_rate, "reference_velocity is", " times",
-                      " the rate of reference_position");
+        disproportion(median(given) / median(expected), another_rate,
+                      {.code = Note::Code::unit_of_rate, .names = {"reference_velocity", "reference_position_rate"}});
     }
 
     /// Two sizes that no wrong number of the joint could set so far apart.
-    void disproportion(double ratio, double most, const std::string& what, const std::string& more,
-                       const std::string& than)
+    void disproportion(double ratio, double most, Note what)
     {
         if (!std::isfinite(ratio) || ratio <= 0 || (ratio <= most && ratio >= 1 / most)) return;
-        found_.push_back({"suspected unit: " + what + " " + rounded(std::max(ratio, 1 / ratio)) +
-                              (ratio > 1 ? more : " times less than") + than + "; [record] can name the unit",
-                          true});
+        what.values = {ratio};
+        found_.push_back(std::move(what));
     }
 
     /// The measured effort against its command.
@@ -153,8 +134,7 @@ class Checks {
         constexpr double opposite = -0.5;  // a lagging or noisy effort comes to nothing, not to the opposite
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
         constexpr double another_unit = 100;  // no gain is as wrong as that
-        disproportion(spread(r_.effort_measured) / spread(asked), another_unit, "effort_measured varies by",
-                      " times as much as", " the command requires");
+        disproportion(spread(r_.effort_measured) / spread(asked), another_unit, {.code = Note::Code::unit_of_effort});
     }
 
     /// A signal that stays at one value although the joint moves was not connected.
@@ -165,9 +145,7 @@ class Checks {
         const auto dead = [&](const char* name, const std::vector<double>& values) {
             if (values.size() < few || !std::isfinite(values[0]) || spread(values) > 1e-12 * std::abs(values[0]))
                 return;
-            found_.push_back({std::string(name) + " stays at " + number_text(values[0]) +
-                                  " while position moves: remove the column if it was not connected",
-                              true});
+            found_.push_back({.code = Note::Code::dead_signal, .names = {name}, .values = {values[0]}});
         };
         dead("velocity", r_.velocity);
         dead("effort_measured", r_.effort_measured);
@@ -176,7 +154,7 @@ class Checks {
         // a constant command moves a joint, too; not one whose controller follows a reference
         if (spread(r_.reference_position) > 0 && joint_.control.k_p != 0) {
             dead("effort_command", r_.effort_command);
-            dead("the drive signal", r_.drive);
+            dead("drive", r_.drive);
         }
     }
 
@@ -186,8 +164,6 @@ class Checks {
         const bool on_motor = joint_.mechanism.model == Model::two_mass && joint_.control.feedback == Feedback::motor;
         return on_motor ? std::max(1.0, joint_.mechanism.transmission.ratio) : 1;
     }
-
-    static std::string rounded(double value) { return number_text(std::round(10 * value) / 10); }
 
     void travel()
     {
@@ -202,11 +178,9 @@ class Checks {
         // degrees and radians alike make a motion that a joint can be fitted to; only someone who knows can tell
         const std::string unit(unit_of(Quantity::position, Units(motion_)));
         if (travel > limit && !unit_named_ && !command_explained_)
-            found_.push_back({"suspected " + std::string(foreign_unit()) + ": position travels " + rounded(travel) +
-                                  " " + unit + "; position = { unit = \"" +
-                                  (motion_ == Motion::revolute ? "deg" : "mm") +
-                                  "\" } under [record.columns] says so, unit = \"" + unit + "\" that it is right",
-                              true});
+            found_.push_back({.code = Note::Code::unit_by_travel,
+                              .names = {foreign_unit(), motion_ == Motion::revolute ? "deg" : "mm", unit},
+                              .values = {travel}});
     }
 
     void clock()
@@ -216,12 +190,10 @@ class Checks {
         const double step = gap::median_step(r_.time), ratio = step / period;
         constexpr double slowest_log = 1e3 / near_factor;  // ticks a row; who logs as seldom sees no friction
         if (ratio < slowest_log) return;
-        std::string unit = "another unit of time than seconds";
+        Note clock{.code = Note::Code::unit_of_clock, .values = {step, period}};
         for (const auto& [factor, name] : {std::pair{1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}})
-            if (ratio > factor / near_factor && ratio < factor * near_factor) unit = name;
-        found_.push_back({"suspected " + unit + ": rows are " + number_text(step) + " s apart, control.period is " +
-                              number_text(period) + " s; [record] can name the unit",
-                          true});
+            if (ratio > factor / near_factor && ratio < factor * near_factor) clock.names = {name};
+        found_.push_back(std::move(clock));
     }
 
     const Record& r_;
@@ -229,20 +201,19 @@ class Checks {
     Motion motion_;
     bool unit_named_ = false;
     bool command_explained_ = false;  ///< by the documented gains, in the documented units
-    std::vector<Suspicion> found_;
+    std::vector<Note> found_;
 };
 
 }  // namespace
 
-std::vector<Suspicion> suspicions(const Record& record, const Joint& joint, bool unit_named)
+std::vector<Note> suspicions(const Record& record, const Joint& joint, bool unit_named)
 {
     const Joint here = gap::joint_in(record, joint);
-    std::vector<Suspicion> found = Checks(record, here, unit_named).all();
+    auto found = Checks(record, here, unit_named).all();
     const auto off = std::count(record.torque_enable.begin(), record.torque_enable.end(), 0.0);
     if (off > 0)
-        found.push_back({std::to_string(off) + " of " + std::to_string(record.rows()) +
-                             " rows have torque_enable = 0: the motor was off",
-                         false});
+        found.push_back(
+            {.code = Note::Code::motor_off, .values = {static_cast<double>(off), static_cast<double>(record.rows())}});
     return found;
 }
 

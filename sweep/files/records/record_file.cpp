@@ -8,6 +8,7 @@
 #include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
+#include "sweep/words/suspicion_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,12 +213,8 @@ class RecordReader {
                                             [](const auto& c) { return c.signal == "position" && c.unit_named; });
         const bool time_named = std::any_of(rule_.columns.begin(), rule_.columns.end(),
                                             [](const auto& c) { return c.signal == "time" && c.unit_named; });
-        auto doubts = impossible_signals(record, gap::joint_in(record, joint_), time_named);
-        if (doubts.empty()) doubts = suspicions(record, joint_, unit_named);  // every rate would be doubtful, too
-        for (auto& suspicion : doubts) {
-            if (suspicion.contradiction) reading_.contradictions.push_back(suspicion.text);
-            reading_.warnings.push_back(std::move(suspicion.text));
-        }
+        auto& found = reading_.suspicions = impossible_signals(record, gap::joint_in(record, joint_), time_named);
+        if (found.empty()) found = suspicions(record, joint_, unit_named);  // every rate would be doubtful, too
     }
 
     std::string name_;
@@ -236,6 +233,13 @@ class RecordReader {
 
 }  // namespace
 }  // namespace files
+
+std::vector<std::string> RecordReading::sentences() const
+{
+    auto all = warnings;
+    for (const auto& suspicion : suspicions) all.push_back(suspicion_text(suspicion));
+    return all;
+}
 
 RecordReading read_record(const std::filesystem::path& file, const Joint& joint, const RecordLayout& layout,
                           const RecordLimits& limits)

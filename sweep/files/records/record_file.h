@@ -1,6 +1,7 @@
 // A measured record from CSV or .csv.gz.
 #pragma once
 #include "analysis/diagnosis/records/record.h"
+#include "analysis/results/note.h"
 #include "sweep/files/records/record_layout.h"
 
 #include <cstdint>
@@ -11,18 +12,20 @@
 
 namespace stickslip {
 
-/// A record and what a user should know about it ("suspected": degrees in a column that should be radians). Sentences
-/// do not name the record: the caller adds its name.
+/// A record and what a user should know about it. Neither sentences nor suspicions name the record: the caller does.
 struct RecordReading {
     Record record;
     std::vector<std::string> warnings;
-    /// Those of the warnings by which two signals, or the clock and the joint, cannot both be in their units: nothing
-    /// should be concluded from such a record.
-    std::vector<std::string> contradictions;
+    /// What looks wrong in what was read: degrees in a column that should be radians, a motor that was off. Nothing
+    /// should be concluded from a record with one that contradicts().
+    std::vector<Note> suspicions;
     /// A signal with some values missing, and the place of the first, `file:line:column: signal: …`.
     std::vector<std::pair<std::string, std::string>> missing;
     /// What the log does not say and its reader took for granted.
     std::vector<std::string> guesses;
+
+    /// Warnings and suspicions, each in a sentence.
+    std::vector<std::string> sentences() const;
 };
 
 /// Bounds the memory: read, a signal takes 8 bytes a row, 80 MB for 10^7 rows, 2.7 hours at 1 kHz. A diagnosis was seen

@@ -3,6 +3,8 @@
 #include "sweep/files/text/bad_input.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <tuple>
@@ -24,30 +26,59 @@ std::string at(const std::string& source, const Place& place)
     return source + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
-std::string_view line_of(std::string_view text, unsigned number)
+std::string_view from_line(std::string_view text, unsigned number)
 {
     for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    return text.substr(0, std::min(text.find('\n'), text.find('\r')));
+    return text;
+}
+
+/// Where this text ceases to be TOML; 0 where it does not.
+unsigned first_bad_line(std::string_view text)
+{
+    try {
+        (void)toml::parse(text);
+        return 0;
+    } catch (const toml::parse_error& error) {
+        return error.source().begin.line;
+    }
+}
+
+/// A statement that is valid by itself, below lines that are: what it names was given above.
+bool given_above(std::string_view text, unsigned line)
+{
+    const auto here = from_line(text, line);
+    return first_bad_line(text.substr(0, text.size() - here.size())) == 0 && first_bad_line(here) != 1;
+}
+
+/// `key = 1 mm/s`: a number and a unit behind it, without quotes.
+bool number_with_unit(std::string_view line)
+{
+    line.remove_prefix(std::min(line.find('='), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of("= \t"), line.size()));
+    double number = 0;
+    const auto end = std::from_chars(line.data(), line.data() + line.size(), number);
+    if (end.ec != std::errc()) return false;
+    line.remove_prefix(static_cast<std::size_t>(end.ptr - line.data()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const auto first = line.empty() ? '\0' : line.front();
+    return std::isalpha(static_cast<unsigned char>(first)) || first == '%' || first < 0;  // "°" and "µ" are no ASCII
 }
 
 /// toml++ says what its parser was doing; a writer wants to know what is wrong with the line.
-std::string syntax_error(std::string_view parser_says, std::string_view line)
+std::string syntax_error(std::string_view parser_says, std::string_view text, unsigned number)
 {
-    const auto first = std::min(line.find_first_not_of(" \t"), line.size());
-    line.remove_prefix(first);
-    if (parser_says.find("cannot redefine") != std::string_view::npos) {
+    auto line = from_line(text, number);
+    line = line.substr(0, std::min(line.find('\n'), line.find('\r')));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (given_above(text, number)) {
         const auto name =
             line.starts_with('[') ? line : line.substr(0, line.find_last_not_of(" \t", line.find('=') - 1) + 1);
         return std::string(name) + " stands twice in this file; keep one of the two";
     }
     if (parser_says.starts_with("Error while parsing "))
         parser_says.remove_prefix(std::min(parser_says.find(": "), parser_says.size() - 2) + 2);
-    std::string text = "not valid TOML: " + std::string(parser_says);
-    const auto equals = line.find('=');
-    const bool number_with_text = equals != std::string_view::npos &&
-                                  parser_says.find("expected a comment or whitespace") != std::string_view::npos;
-    if (number_with_text) text += "; a number with a unit stands in quotes, as in V0 = \"1 mm/s\"";
-    return text;
+    return "not valid TOML: " + std::string(parser_says) +
+           (number_with_unit(line) ? "; a number with a unit stands in quotes, as in V0 = \"1 mm/s\"" : "");
 }
 
 }  // namespace
@@ -135,7 +166,7 @@ toml::table parse_toml(std::string_view text, const std::string& name)
     } catch (const toml::parse_error& error) {
         Complaints complaints(name);
         const Place place(error.source());
-        complaints.add(place, "", syntax_error(error.description(), line_of(text, place.line)));
+        complaints.add(place, "", syntax_error(error.description(), text, place.line));
         throw BadInput(complaints.messages());
     }
 }

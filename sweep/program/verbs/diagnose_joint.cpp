@@ -62,8 +62,11 @@ void GatheredRecords::add(RecordReading reading)
     const std::string& name = reading.record.name;
     for (auto& text : reading.warnings) warnings.push_back({.text = std::move(text)});
     for (auto& text : reading.guesses) warnings.push_back({.record = name, .text = std::move(text)});
-    for (auto& text : reading.contradictions)
-        contradictions.push_back({.code = Note::Code::contradiction, .record = name, .text = std::move(text)});
+    for (auto& suspicion : reading.suspicions) {
+        suspicion.record = name;
+        if (contradicts(suspicion)) contradictions.push_back(suspicion);
+        warnings.push_back(std::move(suspicion));
+    }
     records.push_back(std::move(reading.record));
     for (const auto& [signal, place] : reading.missing)
         if (needs_every_value(signal)) gaps.push_back(place + "; the diagnosis needs every value; remove these rows");

@@ -21,7 +21,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> directories;
-    std::string output = "comparison", timestamp;
+    std::string output, timestamp;  // no output: beside the results, and of two sweeps in comparison/
 };
 
 ResultsFile finished_sweep(const std::string& directory)
@@ -56,7 +56,7 @@ ComparedRun read_run(const std::string& directory, const ReportSpec* charts, con
 }
 
 /// From what is stored beside the results; where nothing is, as after a merge, it is computed and stored first.
-int draw_again(const std::string& directory, const std::string& date)
+int draw_again(const std::string& directory, const std::string& output, const std::string& date)
 {
     const auto results = finished_sweep(directory);
     auto answer = read_sweep_answer(directory, results.attribute("plan_id"));
@@ -71,7 +71,7 @@ int draw_again(const std::string& directory, const std::string& date)
     if (!date.empty()) summary.provenance.emplace_back("drawn", date);
     const auto report = stability_report(spec, summary, *answer);
     fmt::print("{}", terminal_summary(report));
-    fmt::print("report:  {}\n", write_sweep_report(report, spec, directory).string());
+    fmt::print("report:  {}\n", write_sweep_report(report, spec, output).string());
     return exit_done;
 }
 
@@ -81,14 +81,17 @@ int compare(const Options& options, const std::string& date)
     auto after = read_run(options.directories[1], &before.spec.report, date);
     const auto report = compare_report(compare_sweeps(std::move(before), std::move(after)));
     fmt::print("{}", terminal_summary(report));
-    fmt::print("report:  {}\n", write_report(report, options.output).string());
+    const auto output = options.output.empty() ? "comparison" : options.output;
+    fmt::print("report:  {}\n", write_report(report, output).string());
     return exit_done;
 }
 
 int report(const Options& options)
 {
     const auto date = timestamp(options.timestamp);
-    return options.directories.size() == 1 ? draw_again(options.directories[0], date) : compare(options, date);
+    if (options.directories.size() > 1) return compare(options, date);
+    const auto& directory = options.directories[0];
+    return draw_again(directory, options.output.empty() ? directory : options.output, date);
 }
 
 }  // namespace
@@ -100,7 +103,7 @@ void add_report(CommandLine& line, Invocation& invocation)
     verb.add_option("DIR", options->directories, "directory of the sweep; two of them: what changed from A to B")
         ->required()
         ->expected(1, 2);
-    verb.add_option("-o,--output", options->output, "directory of the comparison")->capture_default_str();
+    verb.add_option("-o,--output", options->output, "directory of the page; default: DIR, of two sweeps: comparison");
     verb.add_option("--timestamp", options->timestamp,
                     "date on the page: now, or seconds since 1970; default: SOURCE_DATE_EPOCH, else none");
     verb.footer("Examples: stickslip report out\n          stickslip report before after -o comparison");

@@ -5,6 +5,8 @@
 #include "sweep/report/figures/line_figure.h"
 #include "sweep/words/study_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -117,6 +119,11 @@ Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::
         "joint have different numbers of boundaries, the reduction is wrong in kind, or neither has any.");
 }
 
+void add_once(std::vector<std::string>& list, const std::string& entry)
+{
+    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
+}
+
 }  // namespace
 
 Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>& studies)
@@ -131,8 +138,8 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
     Table table;
     table.title = "Reductions of this joint";
     table.columns = {"reduction", "assumes", "boundary, full", "boundary, reduced", "error here", "good"};
-    std::string neglects;
-    std::vector<std::pair<std::string, std::string>> refused;  // why, and which
+    std::vector<std::string> neglected;
+    std::vector<std::pair<std::string, std::vector<std::string>>> refused;  // why, and which
     std::size_t number = 0;
     for (const auto& study : studies) {
         ++number;
@@ -141,14 +148,13 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
             const auto same =
                 std::find_if(refused.begin(), refused.end(), [&](const auto& entry) { return entry.first == why; });
             if (same == refused.end())
-                refused.emplace_back(why, study.name);
-            else if (same->second.find(study.name) == std::string::npos)
-                same->second += ", " + study.name;
+                refused.push_back({why, {study.name}});
+            else
+                add_once(same->second, study.name);
             continue;
         }
         const auto boundary = named(joint, study.boundary_path);
-        for (const auto& text : study.neglected)
-            if (neglects.find(text) == std::string::npos) neglects += (neglects.empty() ? " Neglected: " : "; ") + text;
+        for (const auto& what : study.neglected) add_once(neglected, what);
         table.rows.push_back(
             {study.name, study.assumption,
              boundary.symbol + " = " + boundaries_text(study.own.full, boundary.quantity, units),
@@ -164,8 +170,9 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
         if (measured)
             section.figures.push_back(error_figure(joint, study, "reduction-error-" + std::to_string(number)));
     }
-    section.text += neglects + (neglects.empty() ? "" : ".");
-    for (const auto& [why, which] : refused) section.text += " Not applicable (" + which + "): " + why + ".";
+    if (!neglected.empty()) section.text += fmt::format(" Neglected: {}.", fmt::join(neglected, "; "));
+    for (const auto& [why, which] : refused)
+        section.text += fmt::format(" Not applicable ({}): {}.", fmt::join(which, ", "), why);
     if (!table.rows.empty()) section.tables.push_back(std::move(table));
     return section;
 }

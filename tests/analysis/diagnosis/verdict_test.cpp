@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/report_findings.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/decide.h"
@@ -15,6 +16,9 @@ using namespace stickslip::gap;
 namespace {
 
 constexpr double rows = 3e4;  // of all records
+// Rules are tested just beside the policy's thresholds, wherever those stand.
+constexpr double slightly = 1e-3;
+constexpr double sure = 1 - policy::doubt_of_accepted;
 
 Attribution found(std::initializer_list<const char*> names, double score, double explained, bool accepted)
 {
@@ -31,26 +35,32 @@ Attribution found(std::initializer_list<const char*> names, double score, double
 
 TEST_CASE("two free functions of position are named only when nothing is left", "[gap]")
 {
-    const std::vector<Attribution> singles{found({"gravity"}, 1.8, 0.65, false)};
-    std::vector<Attribution> pairs{found({"gravity", "cogging"}, 0.08, 0.999, false)};
+    constexpr double alone = policy::explained_single - slightly, together = policy::explained_pair + slightly;
+    const std::vector<Attribution> singles{found({"gravity"}, 1.8, alone, false)};
+    std::vector<Attribution> pairs{found({"gravity", "cogging"}, 0.08, together, false)};
     CHECK_FALSE(decide(singles, pairs, rows).named);
-    CHECK(decide(singles, pairs, rows).best_explained == 0.65);
+    CHECK(decide(singles, pairs, rows).best_explained == alone);
     pairs[0].accepted = true;
     CHECK(decide(singles, pairs, rows).named);
     // a shape and a slope cannot bend into anything
-    CHECK(decide(singles, {found({"viscous", "cogging"}, 0.08, 0.999, false)}, rows).named);
+    CHECK(decide(singles, {found({"viscous", "cogging"}, 0.08, together, false)}, rows).named);
+    CHECK_FALSE(decide(singles, {found({"viscous", "cogging"}, 0.08, together - 2 * slightly, false)}, rows).named);
 }
 
 TEST_CASE("a pair that leaves nothing wins over a single that leaves little, one that leaves much does not", "[gap]")
 {
-    const std::vector<Attribution> singles{found({"frictional-memory"}, 0.19, 0.975, false)};
+    constexpr double score_alone = 0.19;
+    const std::vector<Attribution> singles{
+        found({"frictional-memory"}, score_alone, policy::explained_single + slightly, false)};
     const auto with = [&](double score, bool accepted) {
-        const std::vector<Attribution> pairs{found({"viscous", "frictional-memory"}, score, 0.99, accepted)};
+        const std::vector<Attribution> pairs{
+            found({"viscous", "frictional-memory"}, score, policy::explained_pair + slightly, accepted)};
         return decide(singles, pairs, rows).winner->candidate.effects.size();
     };
-    CHECK(with(0.01, true) == 2);
-    CHECK(with(0.15, true) == 1);
-    CHECK(with(0.08, false) == 1);
+    CHECK(with(score_alone - policy::worth_a_partner - slightly, true) == 2);
+    CHECK(with(score_alone - policy::worth_a_partner + slightly, true) == 1);
+    CHECK(with(score_alone - policy::worth_a_doubted_partner - slightly, false) == 2);
+    CHECK(with(score_alone - policy::worth_a_doubted_partner + slightly, false) == 1);
 }
 
 TEST_CASE("a partner beside backlash is named where it takes away most of what the backlash leaves", "[gap]")
@@ -61,11 +71,17 @@ TEST_CASE("a partner beside backlash is named where it takes away most of what t
         const auto d = decide(singles, pairs, rows);
         return d.named ? d.winner->candidate.effects.size() : 0;
     };
-    CHECK(named(0.85, 0.97) == 2);
-    CHECK(named(0.85, 0.95) == 1);                // a third of the rest remains
-    CHECK(named(0.70, 0.93) == 0);                // neither explains enough
-    CHECK(named(0.955, 0.983) == 1);              // more than a quarter remains
-    CHECK(named(0.85, 0.97, "compliance") == 1);  // the pair says another thing
+    const auto completing = [](double single) { return 1 - (1 - policy::taken_by_partner) * (1 - single); };
+    // backlash alone has a name, and what completes it explains enough for a pair
+    const double single =
+        std::max(policy::nameable, 1 - (1 - policy::completed) / (1 - policy::taken_by_partner)) + slightly;
+    CHECK(named(single, completing(single) + slightly) == 2);
+    CHECK(named(single, completing(single) - slightly) == 1);                      // too much of the rest remains
+    CHECK(named(policy::nameable - slightly, policy::completed - slightly) == 0);  // neither explains enough
+    const double nearly = 1 - (1 - policy::explained_pair) / (1 - policy::taken_by_partner) + slightly;
+    CHECK(named(nearly, policy::explained_pair - slightly) ==
+          1);  // the rest is small, and still too much of it remains
+    CHECK(named(single, completing(single) + slightly, "compliance") == 1);  // the pair says another thing
 }
 
 TEST_CASE("probabilities fall with the misfit, with a needless parameter and where something is left", "[gap]")
@@ -74,14 +90,18 @@ TEST_CASE("probabilities fall with the misfit, with a needless parameter and whe
                                      found({"asymmetric-friction"}, 0.010, 1, true),
                                      found({"viscous"}, 0.4, 0.6, false)};
     const auto ranked = rank(singles, {}, decide(singles, {}, rows), rows);
-    CHECK(ranked[0].probability / ranked[1].probability == Approx(30));  // one parameter more, and nothing gained
+    CHECK(ranked[0].probability / ranked[1].probability ==
+          Approx(policy::needless_parameter));  // one parameter more, and nothing gained
     CHECK(ranked[2].probability < 1e-6);
-    CHECK(ranked[0].probability + ranked[1].probability + ranked[2].probability == Approx(0.985));
-    singles[0].accepted = false, singles[0].explained = 0.98;
-    const double with_a_rest = rank(singles, {}, decide(singles, {}, rows), rows)[0].probability;
-    CHECK(with_a_rest < 0.85);
-    singles[0].explained = 0.975;  // what is left is lost one to one
-    CHECK(rank(singles, {}, decide(singles, {}, rows), rows)[0].probability / with_a_rest == Approx(0.825 / 0.83));
+    CHECK(ranked[0].probability + ranked[1].probability + ranked[2].probability == Approx(sure));
+    const auto with_a_rest = [&](double rest) {
+        singles[0].accepted = false, singles[0].explained = 1 - rest;
+        return rank(singles, {}, decide(singles, {}, rows), rows)[0].probability;
+    };
+    const double some = 1 - policy::explained_single - 2 * slightly, more = some + slightly;
+    CHECK(with_a_rest(some) < 1 - policy::doubt);
+    // what is left is lost one to one
+    CHECK(with_a_rest(more) / with_a_rest(some) == Approx((1 - policy::doubt - more) / (1 - policy::doubt - some)));
 }
 
 TEST_CASE("the odds between causes at the noise are those of a likelihood, and grow with the rows", "[gap]")
@@ -92,8 +112,8 @@ TEST_CASE("the odds between causes at the noise are those of a likelihood, and g
         const auto ranked = rank(singles, {}, decide(singles, {}, n), n);
         return ranked[0].probability / ranked[1].probability;
     };
-    // Gaussian innovations of unknown variance: ln L = -n/2 ln(mean square), here with one reading in 15 rows
-    CHECK(odds(30000) == Approx(std::exp(0.5 * 30000 / 15 * 0.001)));
+    // Gaussian innovations of unknown variance: ln L = -n/2 ln(mean square), one independent reading in so many rows
+    CHECK(odds(30000) == Approx(std::exp(0.5 * 30000 / policy::rows_per_reading * 0.001)));
     CHECK(odds(120000) == Approx(std::pow(odds(30000), 4)));
     // far above the floor margins are model error, whatever the rows
     for (auto& s : singles) s.score = 0.5;
@@ -110,13 +130,13 @@ TEST_CASE("what cannot be told from the named cause has its part of the probabil
         const auto d = decide(singles, {}, rows);
         return std::pair{d.ambiguous.size(), rank(singles, {}, d, rows)[0].probability};
     };
-    const auto [none, sure] = answer(0.05);
+    const auto [none, alone] = answer(0.05);
     CHECK(none == 0);
-    CHECK(sure == Approx(0.985));
+    CHECK(alone == Approx(sure));
     for (double worse = 0; worse < 0.02; worse += 0.0003) {
         const auto [rivals, probability] = answer(worse);
         INFO(worse);
-        CHECK((rivals == 0) == (probability > 0.985 / (1 + std::exp(-1)) + 1e-4));
+        CHECK((rivals == 0) == (probability > sure / (1 + policy::odds_of_indistinguishable)));
     }
     CHECK(answer(0).first == 1);
 }
@@ -130,8 +150,8 @@ TEST_CASE("causes of the very same motion are told together, whatever their para
         const auto d = decide(singles, {}, rows);
         return std::pair{d.ambiguous.size(), rank(singles, {}, d, rows)[0].probability};
     };
-    CHECK(answer("constant-load", "asymmetric-friction") == std::pair<std::size_t, double>{1, 0.985 / 2});
-    CHECK(answer("sensor-offset", "gravity") == std::pair<std::size_t, double>{1, 0.985 / 2});
+    CHECK(answer("constant-load", "asymmetric-friction") == std::pair<std::size_t, double>{1, sure / 2});
+    CHECK(answer("sensor-offset", "gravity") == std::pair<std::size_t, double>{1, sure / 2});
     CHECK(answer("viscous", "asymmetric-friction").first == 0);
 }
 
@@ -166,8 +186,8 @@ TEST_CASE("a step lost in one moment does not decide between causes that are ali
     };
     CHECK(odds(1, 100) == Approx(1));
     CHECK(decide(singles, {}, rows).ambiguous.size() == 1);
-    // the same misfit all over the record tells them apart: half of log 3 for each of its fifteenths of rows
-    CHECK(odds(3, 0) == Approx(std::exp(rows / 15 / 2 * std::log(3.0) / 4)).epsilon(1e-3));
+    // the same misfit all over the record tells them apart: half of log 3 for each independent reading of its rows
+    CHECK(odds(3, 0) == Approx(std::exp(rows / policy::rows_per_reading / 2 * std::log(3.0) / 4)).epsilon(1e-3));
     CHECK(decide(singles, {}, rows).ambiguous.empty());
     // seconds of which a record has but a few are no moments
     for (auto& a : singles)

@@ -99,6 +99,25 @@ TEST_CASE("syntax errors have a place")
     CHECK_THAT(only_error("a = " + std::string(100000, '[')), StartsWith("joint.toml:1:"));
 }
 
+TEST_CASE("what is wrong with a line is told from the file, whatever the parser's words are")
+{
+    const auto twice = [](const std::string& text) {
+        CHECK_THAT(only_error(text), Contains(" stands twice in this file"));
+    };
+    twice(with("k_v = 0", "k_v = 0\nk_v = [\n  1]"));
+    twice(with("k_v = 0", "k_v = 0\n[control]"));
+    // a list that has no end, and a table that names one key twice inside: no line of theirs stands twice
+    for (const char* other : {"delay = [1,\n2\nk_i = 1", "delay = { kind = 1, kind = 2 }"}) {
+        const auto error = only_error(with("k_v = 0", "k_v = 0\n" + std::string(other)));
+        CHECK_THAT(error, Contains("not valid TOML") && !Contains("this file") && !Contains("in quotes"));
+    }
+
+    const auto said = [](const char* value) { return only_error(with("k_v = 0", std::string("k_v = ") + value)); };
+    for (const char* unit : {"1 N·s/m", "1.5 °", "12 %", "1e3N", "-2 µm", "3mm", "1N # newton"})
+        CHECK_THAT(said(unit), Contains("a number with a unit stands in quotes"));
+    for (const char* no_unit : {"1 2", "\"x\" N", "[1 2]", "= 1"}) CHECK_THAT(said(no_unit), !Contains("in quotes"));
+}
+
 TEST_CASE("unknown keys, with the allowed ones and the nearest")
 {
     CHECK(

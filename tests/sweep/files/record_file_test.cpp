@@ -9,7 +9,7 @@ using Catch::StartsWith;
 
 TEST_CASE("a plain record, its gaps and its columns that nobody reads")
 {
-    const auto [record, warnings, contradictions, missing, guesses] = read(
+    const auto [record, warnings, suspicions, missing, guesses] = read(
         "\xef\xbb\xbf# a comment\r\n\r\n \"time\" , position,effort_command,postion2\r\n"
         "0,1.5e-3,-2,x\r\n0.5, +2 ,,y\r\n\r\n1.25,nan,3,z\r\n");
     CHECK(record.name == "run.csv");
@@ -60,7 +60,7 @@ control.k_p = 200
 constants.supply_voltage = 24
 )",
                                                 "record.toml", joint);
-    const auto [record, warnings, contradictions, missing, guesses] = read_record(
+    const auto [record, warnings, suspicions, missing, guesses] = read_record(
         file("t_ms,angle_deg,velocity,stress_MPa,T\n0,180,60,20,293.15\n2.5,90,30,21,300\n"), joint, layout);
     const double pi = 3.14159265358979323846;
     CHECK(record.time == std::vector<double>{0, 2.5e-3});
@@ -126,10 +126,13 @@ TEST_CASE("the drive signal is the one that the actuator takes")
 
 TEST_CASE("rows with the motor off are kept and counted")
 {
-    const auto [record, warnings, contradictions, missing, guesses] =
+    const auto [record, warnings, suspicions, missing, guesses] =
         read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
     CHECK(record.rows() == 3);
-    CHECK(warnings == std::vector<std::string>{"2 of 3 rows have torque_enable = 0: the motor was off"});
+    CHECK(warnings.empty());
+    REQUIRE(suspicions.size() == 1);
+    CHECK(suspicions[0] == Note{.code = Note::Code::motor_off, .values = {2, 3}});
+    CHECK_FALSE(contradicts(suspicions[0]));
     CHECK(only_error("time,position,torque_enable\n0,1,2\n") == "run.csv:2:5: torque_enable: is 2, expected 0 and 1");
 }
 
@@ -146,19 +149,31 @@ TEST_CASE("units that look wrong are suspected, never corrected")
         return text;
     };
     const double deg = 57.29577951308232;
-    CHECK(read(sine(1, 1, 1), "", "revolute").warnings == std::vector<std::string>{});
+    using Code = Note::Code;
+    CHECK(read(sine(1, 1, 1), "", "revolute").sentences().empty());
     const auto degrees = read(sine(deg, deg, 1), "", "revolute");
-    REQUIRE(degrees.warnings.size() == 1);
-    CHECK_THAT(degrees.warnings[0],
+    CHECK(degrees.warnings.empty());
+    REQUIRE(degrees.suspicions.size() == 1);
+    const auto& found = degrees.suspicions[0];
+    CHECK(found.code == Code::unit_between_signals);
+    CHECK(found.names == std::vector<std::string>{"degrees", "position", "reference_position"});
+    CHECK(found.values.at(0) == Approx(deg).epsilon(1e-3));
+    CHECK(contradicts(found));
+    CHECK_THAT(degrees.sentences().at(0),
                StartsWith("suspected degrees: position moves 57.3 times as far as reference_position"));
     CHECK(degrees.record.position[500] == Approx(deg * std::sin(3.5)).epsilon(1e-5));
-    CHECK_THAT(read(sine(1, deg, 1), "", "revolute").warnings.at(0),
-               StartsWith("suspected degrees: velocity moves 57.3"));
-    CHECK_THAT(read(sine(1000, 1000, 1)).warnings.at(0),
-               StartsWith("suspected millimetres: position moves 1000 times"));
-    CHECK_THAT(read(sine(1, 1e-3, 1000)).warnings.at(0), StartsWith("suspected milliseconds: rows are 1 s apart"));
-    CHECK_THAT(read("time,position\n0,0\n1e-3,90\n", "", "revolute").warnings.at(0),
-               StartsWith("suspected degrees: position travels 90 rad"));
+    const auto first = [&](const std::string& text, const char* motion = "prismatic") {
+        const auto reading = read(text, "", motion);
+        REQUIRE(!reading.suspicions.empty());
+        CHECK(contradicts(reading.suspicions[0]));
+        return reading.suspicions[0];
+    };
+    CHECK(first(sine(1, deg, 1), "revolute").names == std::vector<std::string>{"degrees", "velocity", "position_rate"});
+    CHECK(first(sine(1000, 1000, 1)).names.at(0) == "millimetres");
+    CHECK(first(sine(1, 1e-3, 1000)) ==
+          Note{.code = Code::unit_of_clock, .names = {"milliseconds"}, .values = {1, 1e-3}});
+    CHECK(first("time,position\n0,0\n1e-3,90\n", "revolute") ==
+          Note{.code = Code::unit_by_travel, .names = {"degrees", "deg", "rad"}, .values = {90}});
     CHECK_THAT(read("time,position_mm\n0,0\n1e-3,1\n", "columns.position = \"position_mm\"\n").warnings.at(0),
                StartsWith("suspected unit: column \"position_mm\" is read as m, its name says mm"));
     CHECK(read("time,motor position\n0,0\n1e-3,1\n", "columns.position = \"motor position\"\n").warnings.empty());
@@ -202,12 +217,13 @@ TEST_CASE("measured records of others read with a few lines of layout")
     const std::filesystem::path data = folder;
     SECTION("a ball-screw drive: own names, nothing to say")
     {
-        const auto [record, warnings, contradictions, missing, guesses] =
+        const auto [record, warnings, suspicions, missing, guesses] =
             read_record(data / "emps" / "run.csv.gz", joint_of("prismatic"));
         CHECK(record.rows() == 24841);
         CHECK(record.drive[0] == 2.53863);
         CHECK(record.position[1] == 1.43e-5);
         CHECK(warnings.empty());
+        CHECK(suspicions.empty());
     }
     SECTION("a servo with a pendulum: gains by file name")
     {
@@ -217,17 +233,18 @@ TEST_CASE("measured records of others read with a few lines of layout")
         int files = 0;
         for (const auto& entry : std::filesystem::directory_iterator(data / "xl330")) {
             if (entry.path().extension() != ".gz") continue;
-            const auto [record, warnings, contradictions, missing, guesses] = read_record(entry.path(), joint, layout);
+            const auto [record, warnings, suspicions, missing, guesses] = read_record(entry.path(), joint, layout);
             INFO(entry.path());
             CHECK(record.rows() > 1000);
             CHECK(record.temperature.size() == record.rows());
             const double k_p = entry.path().filename().string().starts_with("kp100") ? 100 : 400;
             CHECK(record.overrides == std::vector<std::pair<std::string, double>>{{"control.k_p", k_p}});
             const bool drop = entry.path().string().find("lift-and-drop") != std::string::npos;  // let go on purpose
-            REQUIRE(warnings.size() == (drop ? 1 : 0));
+            CHECK(warnings.empty());
+            REQUIRE(suspicions.size() == (drop ? 1 : 0));
             if (drop)
-                CHECK(warnings[0] == (k_p == 100 ? "1138 of 1510 rows have torque_enable = 0: the motor was off"
-                                                 : "1133 of 1499 rows have torque_enable = 0: the motor was off"));
+                CHECK(suspicions[0].values ==
+                      (k_p == 100 ? std::vector<double>{1138, 1510} : std::vector<double>{1133, 1499}));
             ++files;
         }
         CHECK(files == 8);
@@ -241,7 +258,7 @@ effort_measured = "friction_coefficient"
 normal_load = { name = "normal_stress_MPa", unit = "MPa" }
 )",
                                                     "record.toml", joint);
-        const auto [record, warnings, contradictions, missing, guesses] =
+        const auto [record, warnings, suspicions, missing, guesses] =
             read_record(data / "basalt" / "velocity-step.csv.gz", joint, layout);
         CHECK(record.rows() == 5849);
         CHECK(record.reference_position[0] == 8503.602e-6);
@@ -249,5 +266,6 @@ normal_load = { name = "normal_stress_MPa", unit = "MPa" }
         CHECK(record.normal_load[0] == Approx(19.969273e6).epsilon(1e-15));
         for (const auto& warning : warnings) UNSCOPED_INFO(warning);
         CHECK(warnings.empty());
+        CHECK(suspicions.empty());
     }
 }

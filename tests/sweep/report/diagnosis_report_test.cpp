@@ -349,9 +349,9 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     for (const auto& s : page.sections) CHECK(s.id != "where");
 
     Diagnosis foreign;
-    const std::string suspicion = "suspected degrees: position moves too far";
-    foreign.reasons = {{.code = Note::Code::contradiction, .record = "a.csv", .text = suspicion}};
-    foreign.notes = {{.text = suspicion}, {.text = "a column was ignored"}};
+    foreign.reasons = {
+        {.code = Note::Code::unit_by_travel, .record = "a.csv", .names = {"degrees", "deg", "rad"}, .values = {90}}};
+    foreign.notes = {foreign.reasons[0], {.text = "a column was ignored"}};
     const auto refused = page_of(foreign, j, j);
     CHECK_THAT(refused.verdict, Contains("contradict each other"));
     CHECK(refused.alerts.size() == 1);

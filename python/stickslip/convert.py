@@ -28,20 +28,18 @@ def convert() -> int:
     parser.add_argument("--topic", help="ROS: topic of the joint states")
     parser.add_argument("--command", help="ROS: topic of the commands")
     parser.add_argument("--time", help="arrays: name of the time")
+    parser.add_argument("--group", help="HDF5, MATLAB: group or struct that holds the arrays")
     parser.add_argument("--episode", type=int, help="LeRobot: number of the episode")
     asked = parser.parse_args()
     options = {k: v for k, v in vars(asked).items() if k not in ("log", "csv", "joint") and v is not None}
     try:
         if not asked.csv.endswith((".csv", ".csv.gz")):
             raise StickslipError(f"{asked.csv}: got this as the file to write, expected a name that ends in .csv or .csv.gz")
-        try:
-            frame = read_log(asked.log, joint=asked.joint, **options)
-        except TypeError as error:
-            raise StickslipError(f"{asked.log}: logs of this kind take no {', '.join('--' + k for k in options)} ({error})") from None
+        frame = read_log(asked.log, joint=asked.joint, **options)
         write_whole(Path(asked.csv), frame)
         ignore_interrupts()  # from here on there is nothing left to interrupt
     except StickslipError as error:
-        complain(re.sub(r"\bwith (joint|topic|time|episode)=", r"with --\1", str(error)))  # as it is said here
+        complain(re.sub(r"\b(with|option) (joint|topic|command|time|group|episode)=", r"\1 --\2", str(error)))  # as it is said here
         return BAD_INPUT
     except OSError as error:
         complain(f"{error.filename or asked.csv}: {error.strerror}")

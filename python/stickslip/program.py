@@ -65,6 +65,14 @@ def _reasons(out: str) -> str:
         return ""
 
 
+def _terminal() -> tuple[int | None, int]:
+    """Both ends of a pseudo-terminal; where the machine has none, such as in a container without /dev/pts, progress is not shown."""
+    try:
+        return os.openpty()
+    except OSError:
+        return None, subprocess.PIPE
+
+
 def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, UNDECIDED),
         show: progress.Show | None = None) -> subprocess.CompletedProcess:
     """Runs `stickslip ARGUMENTS` and returns what it printed. Ctrl-C (or the stop button of a notebook) interrupts the
@@ -72,7 +80,7 @@ def run(arguments: Sequence[Any], allowed: Sequence[int] = (DONE, CHECK_FAILED, 
     that it changes; by default it stands below the cell of a notebook or on the terminal."""
     command = [executable(), *map(str, arguments)]
     show = show or (progress.default() if command[1] in SLOW else None)
-    terminal, error = (None, subprocess.PIPE) if show is None else os.openpty()
+    terminal, error = (None, subprocess.PIPE) if show is None else _terminal()
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=error, text=True, encoding="utf-8",
                                start_new_session=True, env=_environment())
     if terminal is not None:

@@ -39,6 +39,7 @@ def as_frame(name: str, record: Any):
     """A data frame of plain numbers; complains by record, column and row about everything else."""
     import numpy
     import pandas
+    from pandas.api import types
 
     if not isinstance(record, (pandas.DataFrame, Mapping)):
         raise StickslipError(f"{name}: got {type(record).__name__}, expected a data frame, a dict of columns, or a file")
@@ -46,6 +47,8 @@ def as_frame(name: str, record: Any):
         frame = pandas.DataFrame(record)
     except (TypeError, ValueError) as error:
         raise StickslipError(f"{name}: {error}") from None
+    if "time" not in frame.columns and (types.is_datetime64_any_dtype(frame.index.dtype) or types.is_timedelta64_dtype(frame.index.dtype)):
+        raise StickslipError(f"{name}: the index holds {frame.index.dtype}, expected times in seconds: (index - index[0]).total_seconds()")
     if frame.index.name == "time" and "time" not in frame.columns:
         frame = frame.reset_index()
     if frame.empty:

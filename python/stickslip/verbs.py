@@ -21,16 +21,26 @@ SpecLike = Union[str, Path, Mapping[str, Any]]
 
 
 @contextmanager
+def _called(file: Path, name: str) -> Iterator[Path]:
+    """Errors about a file that was made for the program name what it was made of."""
+    try:
+        yield file
+    except program.StickslipError as error:
+        raise type(error)(str(error).replace(str(file), name)) from None
+
+
+@contextmanager
 def _input(given: JointLike | SpecLike) -> Iterator[Path]:
     """A file that the program can read. Text with a line break is TOML, other text a path."""
     if isinstance(given, Joint):
-        with given.as_file() as file:
+        with given.as_file() as file, _called(file, "joint"):
             yield file
     elif isinstance(given, Mapping) or (isinstance(given, str) and "\n" in given):
         with tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
             file = Path(folder) / "input.toml"
             file.write_text(given if isinstance(given, str) else toml_text.dumps(given), encoding="utf-8")
-            yield file
+            with _called(file, "input"):
+                yield file
     elif isinstance(given, (str, Path)):
         yield Path(given)
     else:
@@ -78,9 +88,9 @@ def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, refere
     """One motion from a disturbance on: columns time, excess_position, velocity, friction, stuck.
 
     With a `reference` (data frame or CSV with time and reference_position) the joint follows it in its sampled loop, and
-    the frame is the record that its controller would have logged, ready for `diagnose`. Options are those of the command
-    line with underscores: simulate(joint, disturbance="velocity", size=1e-3, duration=2.0). Units stand in
-    `frame.attrs["units"]`.
+    the frame is the record that its controller would have logged, ready for `diagnose`, in SI units and those of the drive. Options
+    are those of the command line with underscores: simulate(joint, disturbance="velocity", size=1e-3, duration=2.0). Units of a motion
+    stand in `frame.attrs["units"]`, how it ends in `frame.attrs["verdict"]`.
     """
     import pandas
 
@@ -104,7 +114,8 @@ def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, refere
         name, _, unit = column.partition(" [")
         units[name] = unit.rstrip("]")
     frame.columns = list(units)
-    frame.attrs.update(units=units, verdict=run.stdout.splitlines()[0] if run.stdout else "")
+    if reference is None:
+        frame.attrs.update(units=units, verdict=run.stdout.splitlines()[0] if run.stdout else "")
     return frame
 
 

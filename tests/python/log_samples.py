@@ -60,7 +60,7 @@ def mcap(path, chunked=True, names=NAMES):
     return mcap_of(path, messages, chunked)
 
 
-def mcap_of(path, messages, chunked=True, packed=""):
+def mcap_of(path, messages, chunked=True, packed="", pack=bytes):
     """A file of (topic, type, time after the start, data)."""
     def text(s):
         return struct.pack("<I", len(s)) + s.encode()
@@ -77,7 +77,7 @@ def mcap_of(path, messages, chunked=True, packed=""):
         at = int((1_700_000_000 + when) * 1e9)
         block += rec(5, struct.pack("<HIQQ", channels[topic], k, at, at) + data)
     if chunked:
-        block = rec(6, struct.pack("<QQQI", 0, 0, len(block), zlib.crc32(block)) + text(packed) + struct.pack("<Q", len(block)) + block)
+        block = rec(6, struct.pack("<QQQI", 0, 0, len(block), zlib.crc32(block)) + text(packed) + struct.pack("<Q", len(pack(block))) + pack(block))
     magic = b"\x89MCAP0\r\n"
     path.write_bytes(magic + rec(1, text("ros2") + text("test")) + block + rec(15, b"\0" * 4) + rec(2, b"\0" * 20) + magic)
     return path

@@ -1,4 +1,5 @@
 import importlib.util
+import json
 import os
 import resource
 import shutil
@@ -77,6 +78,36 @@ def test_parquet_is_refused_in_words_without_pyarrow(tmp_path):
         (tmp_path / "run.parquet").write_bytes(b"PAR1")
         with pytest.raises(StickslipError, match="pyarrow"):
             stickslip.read_log(tmp_path / "run.parquet")
+
+
+@pytest.mark.parametrize("names", [sample.NAMES, {"motors": sample.NAMES}])
+def test_a_lerobot_data_set(tmp_path, monkeypatch, names):
+    """The frame is as pyarrow gives it; Debian has no pyarrow, so that the container itself is not read here."""
+    import types
+
+    import pandas
+
+    rows = [{"observation.state": sample.Q[k].astype("float32"), "action": sample.COMMAND[k].astype("float32"), "timestamp": sample.T[k],
+             "episode_index": episode} for episode in (3, 4) for k in range(len(sample.T))]
+    table = types.SimpleNamespace(to_pandas=lambda: pandas.DataFrame(rows))
+    parquet = types.SimpleNamespace(read_table=lambda path: table)
+    monkeypatch.setitem(sys.modules, "pyarrow", types.SimpleNamespace(parquet=parquet))
+    monkeypatch.setitem(sys.modules, "pyarrow.parquet", parquet)
+    (tmp_path / "meta").mkdir()
+    (tmp_path / "data" / "chunk-000").mkdir(parents=True)
+    (tmp_path / "meta" / "info.json").write_text(json.dumps({"features": {"observation.state": {"names": names}}}))
+    file = tmp_path / "data" / "chunk-000" / "file-000.parquet"
+    file.write_bytes(b"PAR1")
+    frame = stickslip.read_log(file, joint="elbow", episode=4)
+    assert numpy.allclose(frame["time"], sample.T) and numpy.allclose(frame["position"], sample.Q[:, 1], atol=1e-6)
+    assert numpy.allclose(frame["reference_position"], sample.COMMAND[:, 1], atol=1e-6)
+    assert any("degrees or per cent" in guess for guess in frame.attrs["guessed"])
+    with pytest.raises(StickslipError, match="holds the episodes 3 to 4; say which with episode="):
+        stickslip.read_log(file, joint="elbow")
+    with pytest.raises(StickslipError, match="has no episode 5, it has 3 to 4"):
+        stickslip.read_log(file, joint="elbow", episode=5)
+    with pytest.raises(StickslipError, match="has no joint 'knee', it has shoulder, elbow"):
+        stickslip.read_log(file, joint="knee", episode=3)
 
 
 def test_wrong_joints_are_told_with_the_right_ones(tmp_path):

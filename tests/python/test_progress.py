@@ -23,3 +23,14 @@ def test_a_sweep_shows_how_far_it_is(tmp_path):
     assert shown == [] or shown[-1] == ""  # quick sweeps draw nothing
     with pytest.raises(StickslipError, match="nosuch.toml"):
         program.run(["sweep", tmp_path / "nosuch.toml", "-o", tmp_path / "out2"], show=shown.append)
+
+
+def test_without_pseudo_terminals_there_is_an_answer_and_no_progress(tmp_path, monkeypatch):
+    def none():
+        raise OSError(19, "No such device")
+
+    monkeypatch.setattr(program.os, "openpty", none)
+    shown = []
+    with pytest.raises(StickslipError, match="nosuch.toml"):
+        program.run(["sweep", tmp_path / "nosuch.toml", "-o", tmp_path / "out"], show=shown.append)
+    assert shown == []

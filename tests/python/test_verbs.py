@@ -66,6 +66,13 @@ def test_bad_input_says_where():
         stickslip.diagnose(REFERENCE, {"run": {"t": [0.0, numpy.nan]}})
     with pytest.raises(StickslipError, match="datetime"):
         stickslip.diagnose(REFERENCE, {"run": pandas.DataFrame({"t": pandas.to_datetime([0, 1])})})
+    frame = pandas.DataFrame({"position": [0.0, 1.0]}, index=pandas.to_datetime([0, 1]))
+    with pytest.raises(StickslipError, match=r"the index holds datetime64\[ns\], expected times in seconds"):
+        stickslip.diagnose(REFERENCE, {"run": frame})
+    with pytest.raises(StickslipError, match="^joint: requirements.sample_time: is not set"):  # not a file that is gone
+        stickslip.design(Joint.from_dict(REFERENCE), {"position_noise": "1 um"})
+    with pytest.raises(StickslipError, match="^input:"):
+        stickslip.evaluate({**REFERENCE, "friction": {"law": "nosuch"}})
     with pytest.raises(TypeError, match="records"):
         stickslip.diagnose(REFERENCE, {})
 
@@ -110,3 +117,22 @@ def test_plots(tmp_path):
     ax.figure.savefig(tmp_path / "motion.png")
     answer = stickslip.boundary(REFERENCE, over=["control.k_p=1e4..1e6", "control.k_v=1..100"], kind="linear", guard=4)
     assert stickslip.plot_boundary(answer).lines
+
+
+def test_maps_and_boundaries_are_drawn_as_the_report_draws_them():
+    pytest.importorskip("matplotlib").use("Agg")
+    spec = {**REFERENCE, "axes": {"control.k_p": {"from": 1e4, "to": 2e5, "points": 9, "scale": "log"},
+                                  "control.k_v": {"from": 10.0, "to": 1000.0, "points": 9, "scale": "log"}}}
+    dataset = stickslip.sweep(spec)
+    told = [text.get_text() for text in stickslip.plot_map(dataset, "control.k_p", "control.k_v").get_legend().get_texts()]
+    assert told == ["stick-slip in both theories", "smooth with memory, though velocity-only forbids it",
+                    "boundary, velocity-only theory", "boundary, with frictional memory"]
+    assert stickslip.plot_map(dataset, "control.k_p", "control.k_v", "k_cr").get_legend() is None
+    with pytest.raises(ValueError, match="nosuch: is no variable of this sweep, variables are .*k_cr"):
+        stickslip.plot_map(dataset, "control.k_p", "control.k_v", "nosuch")
+    answer = stickslip.boundary(REFERENCE, over=["control.k_p=1e4..1e6", "control.k_v=1..1000"], guard=4)
+    ax = stickslip.plot_boundary(answer)
+    assert [line.get_linestyle() for line in ax.lines if "velocity-only" in line.get_label()] == ["--"]
+    assert (ax.get_xlabel(), ax.get_xscale(), ax.get_ylabel()) == ("control.k_p [N/m]", "log", "control.k_v [N·s/m]")
+    negative = stickslip.boundary(REFERENCE, over=["control.k_p=-1e5..1e6", "control.k_v=1..1000"], kind="linear", guard=4)
+    assert stickslip.plot_boundary(negative).get_xscale() == "linear"

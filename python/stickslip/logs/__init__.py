@@ -5,8 +5,9 @@
 """
 from __future__ import annotations
 
+import inspect
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Mapping
 
 from ..program import StickslipError
 from . import arrays, bam, mcap, parquet, ros2_bag, rosbag, sage
@@ -18,6 +19,19 @@ _BY_SUFFIX: dict[str, Callable[..., "pandas.DataFrame"]] = {
     ".mcap": mcap.read, ".db3": ros2_bag.read_database, ".bag": rosbag.read, ".parquet": parquet.read, ".json": bam.read,
     ".npz": arrays.read_npz, ".mat": arrays.read_mat, ".h5": arrays.read_hdf5, ".hdf5": arrays.read_hdf5, ".nc": arrays.read_netcdf,
 }
+
+
+def _check_options(path: Path, reader: Callable[..., "pandas.DataFrame"], options: Mapping[str, Any]) -> None:
+    """Readers take options of their own and hand the others on to those of arrays."""
+    known: list[str] = []
+    for function in (reader, arrays.columns_of):
+        taken = inspect.signature(function).parameters
+        known += [name for name, p in taken.items() if p.kind is p.POSITIONAL_OR_KEYWORD and name not in ("path", "joint", "arrays", *known)]
+        if not any(p.kind is p.VAR_KEYWORD for p in taken.values()):
+            break
+    for name in options:
+        if name not in known:
+            raise StickslipError(f"{path}: logs of this kind take no option {name}=, they take {', '.join(known) or 'none'}")
 
 
 def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pandas.DataFrame":
@@ -35,6 +49,7 @@ def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pan
         return pandas.read_csv(path)
     if reader is None:
         raise StickslipError(f"{path}: got a file {path.suffix or 'without suffix'}, expected {', '.join(_BY_SUFFIX)}, .csv, a bag of ROS 2 or a folder of SAGE")
+    _check_options(path, reader, options)
     try:
         return reader(path, joint=joint, **options)
     except StickslipError:

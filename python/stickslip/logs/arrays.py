@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Mapping
+from typing import Any, Iterable, Mapping
 
 from ..program import StickslipError
 from .apart import read_apart
@@ -13,6 +13,13 @@ _SAME = {"q": "position", "qd": "velocity", "dq": "velocity", "q_ref": "referenc
          "torque": "effort_measured", "effort": "effort_measured", "joint_positions": "position", "joint_velocities": "velocity",
          "joint_efforts": "effort_measured", "positions": "position", "velocities": "velocity", "torques": "effort_measured",
          "command": "effort_command", "u": "effort_command"}
+
+
+_SIGNALS = {*_SAME.values(), "reference_velocity", "effort_measured", "load_effort", "inertia"}
+
+
+def _kind(value: Any) -> str:
+    return "text" if value.dtype.kind in "SU" else "objects" if value.dtype.kind == "O" else str(value.dtype)
 
 
 def _seconds(time: Any) -> tuple[Any, str]:
@@ -39,6 +46,9 @@ def columns_of(path: Path, arrays: Mapping[str, Any], joint: str | None, time: s
     import numpy
 
     found = {name: numpy.squeeze(numpy.asarray(value)) for name, value in arrays.items()}
+    for name, value in found.items():
+        if (columns or {}).get(name, _SAME.get(name, name)) in _SIGNALS and value.dtype.kind not in "fiubM":
+            raise StickslipError(f"{path}: array {name}: got {_kind(value)}, expected numbers")
     found = {name: value for name, value in found.items() if value.dtype.kind in "fiubM" and value.ndim in (1, 2)}
     key = time or next((name for name in _TIMES if name in found), None)
     if key is None or key not in found:
@@ -48,9 +58,16 @@ def columns_of(path: Path, arrays: Mapping[str, Any], joint: str | None, time: s
     seconds, unit = _seconds(found[key])
     out, guessed = {"time": seconds}, [f"array {key} read as {unit}, from its step"] if unit else []
     for name, value in found.items():
-        if name == key or len(value) != rows or value.dtype.kind == "M":
+        if name == key or value.dtype.kind == "M":
             continue
         ours = (columns or {}).get(name, name if columns else _SAME.get(name, name))
+        if len(value) != rows:
+            if ours in _SIGNALS:
+                guessed.append(f"array {name} has {len(value)} rows, the time {rows}: left out")
+            continue
+        if ours != name and not (columns or {}).get(name) and (ours in found or ours in out):
+            guessed.append(f"array {name} left out: there is another {ours}")
+            continue
         if ours != name and not (columns or {}).get(name):
             guessed.append(f"array {name} read as {ours}")
         if value.ndim == 2:
@@ -69,27 +86,51 @@ def read_npz(path: Path, joint: str | None = None, **options: Any):
     import numpy
 
     with numpy.load(path, allow_pickle=False) as file:
-        return columns_of(path, {name: file[name] for name in file.files}, joint, **options)
+        arrays: dict[str, Any] = {}
+        for name in file.files:
+            try:
+                arrays[name] = file[name]
+            except ValueError as error:
+                if "pickle" not in str(error):
+                    raise
+                raise StickslipError(f"{path}: array {name}: got objects of Python, expected numbers") from None
+        return columns_of(path, arrays, joint, **options)
 
 
-def read_mat(path: Path, joint: str | None = None, **options: Any):
+def _one_of_each(path: Path, placed: Iterable[tuple[str, str, Any]], option: str) -> dict[str, Any]:
+    """Arrays by name; of two with one name, neither is taken for the other."""
+    places: dict[str, str] = {}
+    arrays: dict[str, Any] = {}
+    for place, name, value in placed:
+        if name in places:
+            raise StickslipError(f"{path}: has {places[name]} and {place}, expected one {name}; {option}")
+        places[name], arrays[name] = place, value
+    return arrays
+
+
+def read_mat(path: Path, joint: str | None = None, group: str | None = None, **options: Any):
     import importlib.util
 
     with path.open("rb") as file:
         if file.read(128)[:10] != b"MATLAB 5.0":
-            return read_hdf5(path, joint, **options)  # MATLAB 7.3 is HDF5
+            return read_hdf5(path, joint, group, **options)  # MATLAB 7.3 is HDF5
     if importlib.util.find_spec("scipy") is None:
         raise StickslipError(f"{path}: reading .mat needs scipy (Debian: python3-scipy)")
     arrays = read_apart("scipy.io:loadmat", path, squeeze_me=True)
     arrays = {name: value for name, value in arrays.items() if not name.startswith("__")}
-    flat: dict[str, Any] = {}
+    structs = [name for name, value in arrays.items() if value.dtype.names]
+    if group and group not in structs:
+        raise StickslipError(f"{path}: has no struct {group!r}, it has {', '.join(structs) or 'none'}")
+    flat: list[tuple[str, str, Any]] = []
     for name, value in arrays.items():
-        if value.dtype.names:  # a struct: its fields
-            for field in value.dtype.names:
-                flat[field] = value[field].item() if value[field].dtype == object and value[field].size == 1 else value[field]
-        else:
-            flat[name] = value
-    return columns_of(path, flat, joint, **options)
+        if group and name != group:
+            continue
+        if not value.dtype.names:
+            flat.append((name, name, value))
+        for field in value.dtype.names or ():
+            inner = value[field]
+            flat.append((f"{name}.{field}", field, inner.item() if inner.dtype == object and inner.size == 1 else inner))
+    return columns_of(path, _one_of_each(path, flat, "say which struct with group="), joint, **options)
 
 
 def read_hdf5(path: Path, joint: str | None = None, group: str | None = None, **options: Any):
@@ -98,10 +139,17 @@ def read_hdf5(path: Path, joint: str | None = None, group: str | None = None, **
     except ImportError:
         raise StickslipError(f"{path}: reading HDF5 needs h5py (Debian: python3-h5py)") from None
     with h5py.File(path, "r") as file:
-        root = file[group] if group else file
-        arrays: dict[str, Any] = {}
-        root.visititems(lambda name, node: arrays.__setitem__(name.split("/")[-1], node[()]) if isinstance(node, h5py.Dataset) else None)
-    return columns_of(path, arrays, joint, **options)
+        groups = [name for name, node in file.items() if isinstance(node, h5py.Group)]
+        if group and not isinstance(file.get(group), h5py.Group):
+            raise StickslipError(f"{path}: has no group {group!r}, it has {', '.join(groups) or 'none'}")
+        nodes: list[tuple[str, str, Any]] = []
+
+        def take(place: str, node: Any) -> None:
+            if isinstance(node, h5py.Dataset):
+                nodes.append((place, place.split("/")[-1], node[()]))
+
+        (file[group] if group else file).visititems(take)
+    return columns_of(path, _one_of_each(path, nodes, "say which group with group="), joint, **options)
 
 
 def read_netcdf(path: Path, joint: str | None = None, **options: Any):

@@ -10,7 +10,7 @@ from ..program import StickslipError
 
 def joint_index(source: str, names: Sequence[str], joint: str | None) -> int:
     """Place of the joint among names; complains about none, several and unknown ones."""
-    listed = ", ".join(names)
+    listed = ", ".join(names) or "none"
     if joint is None:
         if len(names) == 1:
             return 0

@@ -23,6 +23,9 @@ def record(path: Path, messages: Iterable[Message], cdr: bool, joint: str | None
             states.setdefault(name, []).append((received, ros_messages.joint_state(data, cdr)))
         elif name == command and plain == "std_msgs/Float64MultiArray":
             numbers.setdefault(name, []).append((received, ros_messages.multi_array(data, cdr)))
+        elif name == command and plain not in ros_messages.NUMBERS:
+            raise StickslipError(f"{path}: command topic {name} has messages of {kind}, expected sensor_msgs/JointState, std_msgs/Float64MultiArray, "
+                                 + ", ".join(ros_messages.NUMBERS))
         elif name == command:
             numbers.setdefault(name, []).append((received, [ros_messages.value(kind, data, cdr)]))
     listed = ", ".join(f"{n} ({t})" for n, t in sorted(seen.items())) or "none"

@@ -112,11 +112,9 @@ std::vector<std::string> conversion_command(const std::string& log, const std::s
                                             const LogOptions& options)
 {
     std::vector<std::string> words{"python3", "-m", "stickslip.convert", log, table};
-    const std::pair<const char*, const std::string*> named[] = {{"--joint", &joint},
-                                                                {"--topic", &options.topic},
-                                                                {"--command", &options.command},
-                                                                {"--time", &options.time},
-                                                                {"--episode", &options.episode}};
+    const std::pair<const char*, const std::string*> named[] = {
+        {"--joint", &joint},       {"--topic", &options.topic}, {"--command", &options.command},
+        {"--time", &options.time}, {"--group", &options.group}, {"--episode", &options.episode}};
     for (const auto& [name, value] : named)
         if (!value->empty()) words.insert(words.end(), {name, *value});
     return words;

@@ -17,7 +17,7 @@ struct LoggedJoint {
 
 /// Settings of the readers of foreign logs, as `stickslip convert` takes them.
 struct LogOptions {
-    std::string topic, command, time, episode;
+    std::string topic, command, time, group, episode;
 };
 
 struct JointLog {

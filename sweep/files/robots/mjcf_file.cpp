@@ -151,15 +151,15 @@ class MjcfReader {
             const auto found = body_of_.find(node.attribute(key).as_string());
             return found == body_of_.end() ? -1 : found->second;
         };
-        const auto moved = [&](const char* key) {
+        const auto joint = [&](const char* key) {
             const std::string name = node.attribute(key).as_string();
-            for (const auto& joint : robot_.joints)
-                if (!name.empty() && joint.name == name) return joint.body;
+            for (std::size_t j = 0; j < robot_.joints.size(); ++j)
+                if (!name.empty() && robot_.joints[j].name == name) return static_cast<int>(j);
             return -1;
         };
         if (kind == "connect" || kind == "weld") closure.a = body("body1"), closure.b = body("body2");
-        if (kind == "joint") closure.a = moved("joint1"), closure.b = moved("joint2");
-        if (closure.a >= 0 || closure.b >= 0) robot_.closures.push_back(closure);
+        if (kind == "joint") closure.first = joint("joint1"), closure.second = joint("joint2");
+        if (std::max({closure.a, closure.b, closure.first, closure.second}) >= 0) robot_.closures.push_back(closure);
     }
 
     MjcfInput input_;

@@ -25,7 +25,7 @@ void read_inertial(const XmlFile& file, const pugi::xml_node& link, RobotBody& b
     const auto inertial = link.child("inertial");
     if (!inertial) return;
     const auto mass = inertial.child("mass"), inertia = inertial.child("inertia");
-    if (!mass || !inertia) file.fail(inertial, "of link \"" + body.name + "\" needs <mass> and <inertia>");
+    if (!mass || !inertia) file.fail(inertial, "of " + body.name + " needs <mass> and <inertia>");
     for (const char* name : {"ixx", "iyy", "izz"}) file.required(inertia, name);
     file.required(mass, "value");
     const auto I = [&](const char* name) { return file.number(inertia, name, 0); };
@@ -128,6 +128,37 @@ class TreeBuilder {
     std::map<std::string, int> placed_;
 };
 
+/// <mimic>: a joint whose coordinate follows that of another.
+void read_mimics(const XmlFile& file, Robot& robot)
+{
+    const auto index = [&](const std::string& name) {
+        for (std::size_t j = 0; j < robot.joints.size(); ++j)
+            if (robot.joints[j].name == name) return static_cast<int>(j);
+        return -1;
+    };
+    for (const auto& node : file.root().children("joint")) {
+        const auto mimic = node.child("mimic");
+        const int follows = index(node.attribute("name").as_string());
+        if (!mimic || follows < 0) continue;
+        const std::string leader = file.required(mimic, "joint");
+        RobotClosure closure;
+        closure.first = follows;
+        closure.second = index(leader);
+        if (closure.second < 0) file.fail(mimic, "names the joint \"" + leader + "\", which does not exist or move");
+        closure.place = file.place(mimic);
+        closure.what = "<mimic> of joint \"" + robot.joints[static_cast<std::size_t>(follows)].name + "\"";
+        robot.closures.push_back(closure);
+    }
+}
+
+/// What xacro has not yet put into links and joints would be missing without a word.
+void refuse_xacro(const XmlFile& file)
+{
+    for (const auto& node : file.root().children())
+        if (std::string(node.name()).rfind("xacro:", 0) == 0)
+            file.fail(node, "is xacro's; run xacro on this file first");
+}
+
 /// <transmission>: how many turns the motor makes a turn of the joint.
 void read_gears(const XmlFile& file, Robot& robot)
 {
@@ -144,8 +175,10 @@ void read_gears(const XmlFile& file, Robot& robot)
 Robot read_urdf(const std::filesystem::path& path)
 {
     const XmlFile file(path);
+    refuse_xacro(file);
     Robot robot;
     TreeBuilder(file, robot).read();
+    read_mimics(file, robot);
     read_gears(file, robot);
     return robot;
 }

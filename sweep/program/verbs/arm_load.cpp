@@ -101,7 +101,7 @@ void find_in_robot(const Robot& robot, const Options& options, std::vector<Moved
         if (described.kind == RobotJointKind::fixed)
             throw BadInput(described.place + ": joint " + joint.name + " is fixed, but the table has positions of it");
         for (const auto& closure : robot.closures)
-            if (moves(robot, joint.index, closure.a) != moves(robot, joint.index, closure.b))
+            if (passes_through(robot, closure, joint.index))
                 throw BadInput(closure.place + ": " + closure.what + " closes a loop through joint " + joint.name +
                                "; expected a robot whose joints move freely");
         joint.armature = described.armature;

@@ -8,7 +8,7 @@ ImportAnswer import_joint(const Robot& robot, int joint, const std::vector<doubl
 {
     ImportAnswer answer;
     for (const auto& closure : robot.closures)
-        if (moves(robot, joint, closure.a) != moves(robot, joint, closure.b)) answer.loop = &closure;
+        if (passes_through(robot, closure, joint)) answer.loop = &closure;
     const auto& described = robot.joints[static_cast<std::size_t>(joint)];
     answer.described = described;
     answer.position = pose[static_cast<std::size_t>(joint)];

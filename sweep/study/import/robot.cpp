@@ -41,6 +41,13 @@ bool moves(const Robot& robot, int joint, int body)
     return false;
 }
 
+bool passes_through(const Robot& robot, const RobotClosure& closure, int joint)
+{
+    // coordinates that are tied stand still together wherever their bodies are
+    if (closure.first >= 0 || closure.second >= 0) return joint == closure.first || joint == closure.second;
+    return moves(robot, joint, closure.a) != moves(robot, joint, closure.b);
+}
+
 AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<double>& pose)
 {
     const Placed at = place(robot, pose);

@@ -36,9 +36,11 @@ struct RobotBody {
     std::string place;
 };
 
-/// Two bodies that something else than the tree holds together: an equality of MJCF. -1 is the world.
+/// Two bodies that something else than the tree holds together, or two joints whose coordinates do: an equality of
+/// MJCF, a <mimic> of URDF. -1 is the world, or no joint.
 struct RobotClosure {
-    int a = -1, b = -1;
+    int a = -1, b = -1;           ///< bodies
+    int first = -1, second = -1;  ///< joints
     std::string place, what;
 };
 
@@ -66,5 +68,8 @@ AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<doub
 
 /// Whether a joint moves the body.
 bool moves(const Robot& robot, int joint, int body);
+
+/// Whether a joint cannot turn without what the closure adds to the tree.
+bool passes_through(const Robot& robot, const RobotClosure& closure, int joint);
 
 }  // namespace stickslip

@@ -164,6 +164,11 @@ TEST_CASE("import: what cannot be used is refused by file and line")
     CHECK_THAT(complaint(room, "number.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 x")),
                Catch::Contains("number.urdf:11"));
     CHECK_THAT(complaint(room, "xacro.urdf", replaced(arm_urdf, "0 0 -0.5", "0 0 ${l}")), Catch::Contains("xacro"));
+    CHECK_THAT(complaint(room, "include.urdf",
+                         replaced(arm_urdf, "<link name=\"base\"/>", "<xacro:include filename=\"base.xacro\"/>")),
+               Catch::Contains("include.urdf:3") && Catch::Contains("run xacro"));
+    CHECK_THAT(complaint(room, "half.urdf", replaced(arm_urdf, "<mass value=\"2\"/>", "")),
+               Catch::Contains("half.urdf:4") && Catch::Contains("of link \"upper\" needs <mass>"));
     CHECK_THAT(complaint(room, "cut.urdf", std::string(arm_urdf).substr(0, 400)), Catch::Contains("is no XML"));
     CHECK_THAT(complaint(room, "other.xml", "<sdf/>"), Catch::Contains("<sdf>"));
     CHECK_THAT(
@@ -174,4 +179,38 @@ TEST_CASE("import: what cannot be used is refused by file and line")
                                       "</worldbody><equality><connect body1=\"lower\" anchor=\"0 0 0\"/></equality>");
     const Robot closed = read_robot(written(room, "tied.xml", tied));
     CHECK(import_joint(closed, 0, {0, 0}).loop != nullptr);
+}
+
+TEST_CASE("import: a joint whose coordinate is tied to another's is refused, one that carries both is not")
+{
+    const TemporaryDirectory room;
+    const std::string follower =
+        R"(<link name="finger"><inertial><mass value="0.1"/><inertia ixx="1e-4" iyy="1e-4" izz="1e-4"/></inertial></link>
+  <joint name="follower" type="revolute"><parent link="lower"/><child link="finger"/><axis xyz="0 1 0"/><limit effort="1" velocity="1"/>
+    <mimic joint="elbow" multiplier="-1"/></joint>
+</robot>)";
+    const std::string urdf = replaced(arm_urdf, "</robot>", follower);
+    const std::string mjcf = replaced(arm_mjcf, "</worldbody>",
+                                      "</worldbody><equality><joint joint1=\"elbow\" joint2=\"follower\"/></equality>");
+    const std::string finger =
+        R"(<body name="finger"><inertial pos="0 0 0" mass="0.1" diaginertia="1e-4 1e-4 1e-4"/><joint name="follower"/></body>
+    </body>
+  </body></worldbody>)";
+    const auto end = mjcf.find("    </body>\n  </body></worldbody>");
+    const std::string both =
+        std::string(mjcf).replace(end, std::string("    </body>\n  </body></worldbody>").size(), finger);
+    for (const auto& [name, text] : {std::pair{"mimic.urdf", urdf}, std::pair{"tied.xml", both}}) {
+        const Robot robot = read_robot(written(room, name, text));
+        const std::vector<double> pose(robot.joints.size(), 0);
+        INFO(name);
+        REQUIRE(robot.joints.size() == 3);
+        CHECK(import_joint(robot, joint_named(robot, "shoulder", name), pose).loop == nullptr);
+        for (const char* joint : {"elbow", "follower"}) {
+            const auto* loop = import_joint(robot, joint_named(robot, joint, name), pose).loop;
+            REQUIRE(loop != nullptr);
+            CHECK_THAT(loop->place, Catch::StartsWith((room.path() / name).string() + ":"));
+        }
+    }
+    CHECK_THAT(complaint(room, "lost.urdf", replaced(urdf, "mimic joint=\"elbow\"", "mimic joint=\"elbwo\"")),
+               Catch::Contains("lost.urdf:15") && Catch::Contains("\"elbwo\""));
 }

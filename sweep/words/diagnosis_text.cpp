@@ -1,3 +1,4 @@
+// In one file: the sentence of every code that a diagnosis tells, as one table, and what its places are filled with.
 #include "sweep/words/diagnosis_text.h"
 
 #include "analysis/diagnosis/policy/policy.h"

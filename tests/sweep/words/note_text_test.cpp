@@ -22,7 +22,7 @@ TEST_CASE("every code of a note has a name of its own and a sentence of its own"
         CHECK_THAT(text, Catch::StartsWith("a.csv: "));
         CHECK(text == "a.csv: " + remark_text(note));
         CHECK(sentences.insert(text).second);
-        CHECK_THAT(text, !Contains("{") && !Contains("}"));
+        CHECK_THAT(text, !Catch::Matches(".*\\{[a-z0-9:].*"));  // no place left; TOML has a space in its braces
     }
 }
 

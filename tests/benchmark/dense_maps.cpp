@@ -69,6 +69,27 @@ Joint lugre_joint()
     return joint;
 }
 
+/// The example's friction on the link of two masses or on their motor, viscous friction on the other.
+Joint two_mass_joint(bool on_motor)
+{
+    Joint joint = example_joint(6e4, 10, 1e-3);
+    auto& m = joint.mechanism;
+    m.model = Model::two_mass, m.motor_inertia = 0.5, m.link_inertia = 1;
+    m.transmission.stiffness = 1e6, m.transmission.damping = 10;
+    auto& f = joint.frictions;
+    f.motor.law = f.link.law = CoulombViscous{0, 5};
+    (on_motor ? f.motor : f.link).law = joint.friction.law;
+    return joint;
+}
+
+Joint two_contacts(bool ageing)
+{
+    Joint joint = two_mass_joint(false);
+    if (ageing) joint.friction.law = with_ageing(joint).friction.law;
+    joint.frictions.motor.law = joint.frictions.link.law = joint.friction.law;
+    return joint;
+}
+
 Joint sampled_joint()
 {
     Joint joint = example_joint(6e4, 10, 1e-3);
@@ -97,4 +118,8 @@ int main(int argc, char** argv)
     print_law("ageing", {with_ageing(example_joint(6e4, 10, 1e-3)), few});
     print_law("two states", {two_state_joint(), few});
     print_law("LuGre", {lugre_joint(), few});
+    print_law("two masses, slip law on link", {two_mass_joint(false), few});
+    print_law("two masses, slip law on motor", {two_mass_joint(true), few});
+    print_law("two masses, slip law on both", {two_contacts(false), few});
+    print_law("two masses, ageing on both", {two_contacts(true), few});
 }

@@ -55,7 +55,8 @@ ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
             contact.A *= b.ratio;
             b.creep = creep_speed(contact, flow.stiffness(i, i), b.inertia, b.speed);
         }
-        b.rests = b.creep > 0 || can_rest(b.friction);
+        // viscous friction holds nothing: a body that stood still in balance would stay there for ever
+        b.rests = b.creep > 0 || (can_rest(b.friction) && flow.static_force(i) > 0);
     }
     if (!flow.steady().allFinite() || !flow.scale().allFinite()) result.reason = Reason::not_finite;
     return result;

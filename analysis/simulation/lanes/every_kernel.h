@@ -5,6 +5,7 @@
 #include "analysis/simulation/lanes/one_state_model.h"
 #include "analysis/simulation/lanes/stribeck_model.h"
 #include "analysis/simulation/lanes/ticked_kernel.h"
+#include "analysis/simulation/lanes/two_mass_model.h"
 #include "analysis/simulation/lanes/watched_model.h"
 
 namespace stickslip::lanes {
@@ -33,6 +34,18 @@ void run_wide(const WatchedJob* jobs, WatchedAnswer* answers, std::size_t number
             return Kernel<TwoAgeingModel, width, count>(jobs, answers, number, settings).run();
         case WatchedLaw::lugre:
             return Kernel<LuGreModel, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::slip_on_link:
+            return Kernel<SlipOnLink, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::ageing_on_link:
+            return Kernel<AgeingOnLink, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::slip_on_motor:
+            return Kernel<SlipOnMotor, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::ageing_on_motor:
+            return Kernel<AgeingOnMotor, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::slip_on_both:
+            return Kernel<SlipOnBoth, width, count>(jobs, answers, number, settings).run();
+        case WatchedLaw::ageing_on_both:
+            return Kernel<AgeingOnBoth, width, count>(jobs, answers, number, settings).run();
     }
 }
 

@@ -11,6 +11,8 @@ namespace stickslip::lanes {
 /// How the state of a rate-and-state law evolves.
 enum class StateLaw : std::uint8_t { slip, ageing };
 
+inline constexpr int most_unknowns = 6;  ///< of a motion: X, the measure w of speed and states of up to two bodies
+
 /// A rate-and-state law with one state on a single mass depends on four numbers only. With X = x/L, w = ln(V/V_0),
 /// p = (θ − θ_ss)/A and time in L/V_0:
 ///   X' = e^w − 1,   M e^w w' = −(c (e^w − 1) + K X + w + p),

@@ -159,10 +159,10 @@ struct Elimination {
 
 template <class P, template <class> class Friction>
 [[gnu::always_inline]] inline Elimination<P> eliminate(const PackedGroups<P, Friction>& g, const Triple<P>& y,
-                                                       const Exponential<P>& e, const P& per_Mv, const P& w_rate,
+                                                       const Exponential<P>& e, const P& per_Mv, const Triple<P>& rate,
                                                        const P& h)
 {
-    return Elimination<P>(g, y, e, per_Mv, w_rate, h);
+    return Elimination<P>(g, y, e, per_Mv, rate.w, h);
 }
 
 /// The step of every lane from y with its own h, under equations that have rate() and eliminate().
@@ -172,7 +172,7 @@ template <class P, class Equations, class State>
     const auto here = at_state(g, y);
     const P per_h = P(1.0) / h;
     const State start_rate = rate(g, y, here.e, here.per_Mv);
-    const auto matrix = eliminate(g, y, here.e, here.per_Mv, start_rate.w, h);
+    const auto matrix = eliminate(g, y, here.e, here.per_Mv, start_rate, h);
     step.U[0] = matrix.solve(start_rate);
     State stage;
     const auto advance = [&]<int i>() __attribute__((always_inline))

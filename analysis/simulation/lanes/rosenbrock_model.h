@@ -5,6 +5,14 @@
 
 namespace stickslip::lanes {
 
+/// What a displacement of the k-th unknown counts; the others count as they are.
+template <class Equations>
+[[gnu::always_inline]] inline auto stiffness_of(const Equations& g, int k)
+{
+    using P = std::remove_cvref_t<decltype(g.K)>;
+    return k == 0 ? g.K : P(1.0);
+}
+
 /// `Equations` have rate(), eliminate() and at_state() (rosenbrock.h), the numbers of each lane's job, and the level of
 /// w below which the mass counts as standing.
 template <class P, class Equations>
@@ -50,8 +58,8 @@ class RosenbrockModel {
     }
     M settled(const Step& s, const P& small) const
     {
-        M all = abs(s.end(0)) * equations_.K < small;
-        for (int k = 1; k < size; ++k) all = all & (abs(s.end(k)) < small);
+        M all = abs(s.end(0)) * stiffness_of(equations_, 0) < small;
+        for (int k = 1; k < size; ++k) all = all & (abs(s.end(k)) * stiffness_of(equations_, k) < small);
         return all;
     }
 
@@ -71,8 +79,9 @@ class RosenbrockModel {
         flags.slow = (w0 > slow) != (w1 > slow);
         flags.turning = (w1 - w0) * (w0 - view.w_before) < 0;
         const auto small = [settled](double x) { return x < settled && x > -settled; };
-        flags.settled = small(view.y1[0] * equations_.K[i]);
-        for (int k = 1; k < size; ++k) flags.settled = flags.settled && small(view.y1[k]);
+        flags.settled = true;
+        for (int k = 0; k < size; ++k)
+            flags.settled = flags.settled && small(view.y1[k] * stiffness_of(equations_, k)[i]);
         return flags;
     }
 

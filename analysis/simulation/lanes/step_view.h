@@ -2,11 +2,10 @@
 #pragma once
 #include "analysis/numerics/hermite.h"
 #include "analysis/simulation/lanes/dense_output.h"
+#include "analysis/simulation/lanes/job.h"
 #include "analysis/simulation/solvers/rodas5p_table.h"
 
 namespace stickslip::lanes {
-
-inline constexpr int most_unknowns = 4;  ///< X, the measure w of speed, states
 
 struct StepView {
     double t, h;  ///< start and length, in the time of the present phase

@@ -39,10 +39,10 @@ template <class P, template <class> class Friction>
 }
 template <class P, template <class> class Friction>
 [[gnu::always_inline]] inline Elimination<P> eliminate(const HeldForce<P, Friction>& g, const Triple<P>& y,
-                                                       const Exponential<P>& e, const P& per_Mv, const P& w_rate,
+                                                       const Exponential<P>& e, const P& per_Mv, const Triple<P>& rate,
                                                        const P& h)
 {
-    return Elimination<P>(g, y, e, per_Mv, w_rate, h);
+    return Elimination<P>(g, y, e, per_Mv, rate.w, h);
 }
 
 template <class P, template <class> class Friction>
@@ -72,10 +72,10 @@ struct LagElimination {
 };
 template <class P, template <class> class Friction>
 [[gnu::always_inline]] inline LagElimination<P> eliminate(const LaggingForce<P, Friction>& g, const Quadruple<P>& y,
-                                                          const Exponential<P>& e, const P& per_Mv, const P& w_rate,
-                                                          const P& h)
+                                                          const Exponential<P>& e, const P& per_Mv,
+                                                          const Quadruple<P>& rate, const P& h)
 {
-    return {Elimination<P>(g, y.joint, e, per_Mv, w_rate, h), per_Mv,
+    return {Elimination<P>(g, y.joint, e, per_Mv, rate.w, h), per_Mv,
             P(1.0) / (P(1.0) / (h * P(rodas5p::gamma)) + g.per_lag)};
 }
 

@@ -5,6 +5,8 @@
 #include "analysis/simulation/attractor/growth.h"
 #include "analysis/simulation/attractor/large_starts.h"
 #include "analysis/simulation/lanes/grouping.h"
+#include "analysis/simulation/lanes/two_mass_joint.h"
+#include "analysis/stability/joint_spectrum.h"
 #include "analysis/stability/spectrum.h"
 #include "analysis/stability/steady.h"
 
@@ -83,29 +85,86 @@ Joint joint_of(const WatchedGroups& g)
     return joint;
 }
 
-void take(const SlidingFlow& flow, const FlowVector& y, double* unknowns)
+/// The equations of motion in the units of the law, and which of their components each unknown is.
+struct ScaledMass {
+    Joint joint;
+    SlidingFlow flow;
+    explicit ScaledMass(const WatchedGroups& g) : joint(joint_of(g)), flow(sliding_flow(joint).flow) {}
+    double abscissa() const { return spectral_abscissa(linear_mass(joint, 1)); }
+    static int place(int unknown) { return unknown; }
+};
+struct ScaledPair {
+    Joint joint;
+    ChainFlow flow;
+    std::array<int, most_unknowns> places;
+    explicit ScaledPair(const WatchedGroups& g)
+        : joint(two_mass_joint(g)), flow(chain_flow(joint).flow), places(places_in_chain(g))
+    {
+    }
+    double abscissa() const { return spectral_abscissa(linear_joint(joint, 1)); }
+    int place(int unknown) const { return places[static_cast<std::size_t>(unknown)]; }
+};
+
+template <class Scaled>
+void take(const Scaled& scaled, const FlowVector& values, double* unknowns)
 {
-    const FlowVector offset = y - flow.steady();
-    std::copy_n(offset.data(), flow.size(), unknowns);
+    for (int k = 0; k < scaled.flow.size(); ++k) unknowns[k] = values[scaled.place(k)];
+}
+
+template <class Scaled>
+void set_starts(const Scaled& scaled, bool search, WatchedJob& job)
+{
+    const auto& flow = scaled.flow;
+    const auto mode = slow_mode(flow);
+    const FlowVector small =
+        disturbed(flow, mode, DisturbanceKind::position, default_size(flow, mode, DisturbanceKind::position));
+    take(scaled, flow.scale(), job.scale);
+    job.rate = scaled.abscissa();
+    job.frequency = std::abs(mode.s.imag());
+    take(scaled, (job.rate > 0 ? lifted(flow, mode, small) : small) - mode.steady, job.start);
+    if (!search) return;
+    for (const auto& start : large_starts(flow, mode).y)
+        if (start.allFinite()) take(scaled, start - mode.steady, job.larger[job.searches++]);
+}
+
+/// False where there is no such state.
+template <class Scaled>
+bool set_stated(const Scaled& scaled, DisturbanceKind kind, double size, WatchedJob& job)
+{
+    const auto mode = slow_mode(scaled.flow);
+    const FlowVector y = disturbed(scaled.flow, mode, kind, size);
+    take(scaled, y - mode.steady, job.start);
+    return y.allFinite();
 }
 
 constexpr double largest_group = 1e9, largest_rho = 500;
+
+std::optional<WatchedScaled> one_mass(const Joint& joint)
+{
+    if (!single(joint) || !plain(joint.friction, joint.load) || !(joint.friction.normal_load > 0)) return {};
+    return std::holds_alternative<LuGre>(joint.friction.law) ? bristles(joint) : two_states(joint);
+}
 
 }  // namespace
 
 std::optional<WatchedScaled> watched_scaled(const Joint& joint)
 {
-    if (!single(joint) || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     const bool forwards = sliding.reason == Reason::none && sliding.velocity > 0;
-    if (!forwards || !(joint.control.k_p > 0 && joint.control.k_v >= 0 && joint.friction.normal_load > 0)) return {};
-    const auto s = std::holds_alternative<LuGre>(joint.friction.law) ? bristles(joint) : two_states(joint);
+    if (!forwards || !(joint.control.k_p > 0 && joint.control.k_v >= 0)) return {};
+    const auto s = joint.mechanism.model == Model::single_mass ? one_mass(joint) : two_masses(joint);
     if (!s) return {};
     const auto& g = s->groups;
     bool in_range = g.K > 0 && g.K < largest_group && g.M > 1 / largest_group && g.M < largest_group;
     in_range = in_range && g.c < largest_group;
     for (const double own : g.own) in_range = in_range && own >= 0 && own < largest_group;
     if (g.law == WatchedLaw::lugre) in_range = in_range && g.own[2] > 0 && g.own[2] < largest_rho && g.own[1] < 1;
+    if (!g.two_masses()) return in_range ? s : std::nullopt;
+    const auto& pair = g.pair;
+    for (const double positive : {pair.stiffness, pair.motor_inertia, pair.share, pair.faster})
+        in_range = in_range && positive > 1 / largest_group && positive < largest_group;
+    for (const double other : {pair.damping, pair.link, pair.motor})
+        in_range = in_range && other >= 0 && other < largest_group;
     return in_range ? s : std::nullopt;
 }
 
@@ -115,6 +174,7 @@ bool less(const WatchedGroups& a, const WatchedGroups& b)
     if (a.M != b.M) return a.M < b.M;
     if (a.c != b.c) return a.c < b.c;
     if (a.K != b.K) return a.K < b.K;
+    if (a.pair != b.pair) return a.pair < b.pair;
     return std::lexicographical_compare(std::begin(a.own), std::end(a.own), std::begin(b.own), std::end(b.own));
 }
 
@@ -122,24 +182,14 @@ WatchedJob job(const WatchedGroups& g, bool search)
 {
     WatchedJob job{};
     job.groups = g;
-    const Joint joint = joint_of(g);
-    const SlidingFlow flow = sliding_flow(joint).flow;
-    const auto mode = slow_mode(flow);
-    const FlowVector scale = flow.scale(), small = disturbed(flow, mode, DisturbanceKind::position,
-                                                             default_size(flow, mode, DisturbanceKind::position));
-    std::copy_n(scale.data(), flow.size(), job.scale);
-    job.rate = spectral_abscissa(linear_mass(joint, 1));
-    job.frequency = std::abs(mode.s.imag());
-    take(flow, job.rate > 0 ? lifted(flow, mode, small) : small, job.start);
-    const auto larger = large_starts(flow, mode);
-    if (!search) return job;
-    for (const auto& start : larger.y)
-        if (start.allFinite()) take(flow, start, job.larger[job.searches++]);
+    g.two_masses() ? set_starts(ScaledPair(g), search, job) : set_starts(ScaledMass(g), search, job);
     return job;
 }
 
 bool state(const Disturbance& d, const Joint& joint, const WatchedScaled& scale, WatchedJob& job)
 {
+    const auto& g = job.groups;
+    const std::size_t link = g.two_masses() ? 1 : 0;
     double size = d.size;
     switch (d.kind) {
         case DisturbanceKind::position:
@@ -150,7 +200,7 @@ bool state(const Disturbance& d, const Joint& joint, const WatchedScaled& scale,
             size /= scale.velocity;
             break;
         case DisturbanceKind::impulse:
-            size *= job.groups.M / (joint.mechanism.inertia * scale.velocity);
+            size *= job.groups.M / (chain_of(joint).body[link].inertia * scale.velocity);
             break;
         case DisturbanceKind::state:
             size /= scale.force;
@@ -158,12 +208,11 @@ bool state(const Disturbance& d, const Joint& joint, const WatchedScaled& scale,
         case DisturbanceKind::start:
             break;
     }
-    const SlidingFlow flow = sliding_flow(joint_of(job.groups)).flow;
-    const FlowVector y = disturbed(flow, slow_mode(flow), d.kind, size);
     job.stated = true;
-    take(flow, y, job.start);
+    const bool finite =
+        g.two_masses() ? set_stated(ScaledPair(g), d.kind, size, job) : set_stated(ScaledMass(g), d.kind, size, job);
     for (double& value : job.start) value = rounded(value);
-    return y.allFinite() && std::any_of(std::begin(job.start), std::end(job.start), [](double x) { return x != 0; });
+    return finite && std::any_of(std::begin(job.start), std::end(job.start), [](double x) { return x != 0; });
 }
 
 bool write(const WatchedAnswer& a, const WatchedScaled& s, const WatchedJob& job, PointResult& point)
@@ -171,9 +220,7 @@ bool write(const WatchedAnswer& a, const WatchedScaled& s, const WatchedJob& job
     point.growth_rate = job.rate * s.velocity / s.length;
     if (a.ending == Ending::left_over) return false;
     const double per_deflection = s.length / std::abs(s.deflection);
-    const auto speed = [&](double w) {
-        return s.velocity * (job.groups.law == WatchedLaw::lugre ? 1 + w : std::exp(w));
-    };
+    const auto speed = [&](double w) { return s.velocity * (job.groups.logarithmic() ? std::exp(w) : 1 + w); };
     point.path = DecisionPath::lanes;
     const bool goes_on = a.reached || a.ending == Ending::undecided;
     point.overshoot = std::max({0.0, goes_on ? a.x_max : 0.0, a.peak}) * per_deflection;  // a lifted one has no peak

@@ -12,14 +12,14 @@ struct WatchedScaled {
     using Job = WatchedJob;
     using Answer = WatchedAnswer;
     WatchedGroups groups;
-    double length;      ///< L_1, g/σ0
+    double length;      ///< L_1, g/σ0, L
     double velocity;    ///< V_0
     double force;       ///< A, g: with the load
     double deflection;  ///< δ_ss
 };
 
-/// Groups of a joint that the lanes can follow: one mass, the slip or the ageing law with two states or LuGre with
-/// nothing beside it, k_p > 0.
+/// Groups of a joint that the lanes can follow, k_p > 0: one mass, the slip or the ageing law with two states or LuGre
+/// with nothing beside it; two masses as two_masses (two_mass_joint.h) has them.
 std::optional<WatchedScaled> watched_scaled(const Joint& joint);
 
 bool less(const WatchedGroups& a, const WatchedGroups& b);

@@ -13,7 +13,7 @@ struct Watched {
     /// A harmless problem for a lane without a job.
     static constexpr Job harmless(WatchedLaw law)
     {
-        return {{law, 1, 1, 1, {1, 0, 1}}, -1, 1, true, {}, {1, 1, 1, 1}, 0, {}};
+        return {{law, 1, 1, 1, {1, 0, 1}, {1, 1, 1, 0, 1, 1, 1, 1}}, -1, 1, true, {}, {1, 1, 1, 1, 1, 1}, 0, {}};
     }
 };
 
@@ -67,12 +67,12 @@ struct TwoStateElimination {
 template <class P, template <class> class Friction>
 [[gnu::always_inline]] inline TwoStateElimination<P> eliminate(const TwoStates<P, Friction>& g, const Quadruple<P>& y,
                                                                const Exponential<P>& e, const P& per_Mv,
-                                                               const P& w_rate, const P& h)
+                                                               const Quadruple<P>& rate, const P& h)
 {
     const auto second = TwoStates<P, Friction>::with_second(y);
     const P by_w = g.lambda * g.second.by_w(second, e);
     const P per_gs = P(1.0) / (P(1.0) / (h * P(rodas5p::gamma)) + g.lambda * g.second.decay(second, e));
-    const P share = per_Mv * per_gs, J11 = -((g.c * e.value + 1.0) * per_Mv) - w_rate;
+    const P share = per_Mv * per_gs, J11 = -((g.c * e.value + 1.0) * per_Mv) - rate.w;
     return {Elimination<P>(h, e.value, g.K * per_Mv, J11 - share * by_w, per_Mv, g.friction.by_w(y.joint, e),
                            g.friction.decay(y.joint, e)),
             by_w, per_gs, share};
@@ -121,7 +121,8 @@ template <class P>
 }
 template <class P>
 [[gnu::always_inline]] inline Elimination<P> eliminate(const Bristles<P>& g, const Triple<P>& y,
-                                                       const Exponential<P>& e, const P& per_M, const P&, const P& h)
+                                                       const Exponential<P>& e, const P& per_M, const Triple<P>&,
+                                                       const P& h)
 {
     const P V = y.w + 1.0, direction = copysign(P(1.0), V), per_G = P(1.0) / (g.a * e.minus_one + 1.0);
     const P slope = -2.0 * (g.rho * V * (g.a * e.value));  // of G

@@ -28,7 +28,7 @@ class WatchedProgram {
   private:
     struct Watched;  ///< the turns so far
     Action finish(Ending ending);
-    Action follow(const double (&start)[4]);
+    Action follow(const double (&start)[most_unknowns]);
     Action decayed();
     Action goes_around(int turns, bool whole = true);
     Action out_of_patience(bool cut_short);

@@ -87,6 +87,7 @@ bool WatchedProgram::decays_linearly()
     const bool linear = std::abs(growth / (job_->rate * turn.period()) - 1) < by_the_linear_rate;
     linear_turns_ = linear ? linear_turns_ + 1 : 0;
     if (linear_turns_ >= linear_turns) return true;
+    if (job_->groups.two_masses()) return false;  // two modes decay side by side, and no turn shows one alone
     const double per_turn = 2 * std::numbers::pi * job_->rate / job_->frequency;
     const double swing = std::max(answer_.w_max, -answer_.w_min);
     return swing < weak_swing && smaller_.none({before, 0}, {size, 0}, per_turn);

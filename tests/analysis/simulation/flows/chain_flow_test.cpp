@@ -207,3 +207,12 @@ TEST_CASE("a lever and the three masses that it stands for end in the same cycle
     CHECK(one.amplitude == Approx(other.amplitude).epsilon(1e-5));
     CHECK(one.velocity_max == Approx(other.velocity_max).epsilon(1e-5));
 }
+
+TEST_CASE("chain: nothing holds a mass under viscous friction alone, and the search beside sliding ends")
+{
+    Joint joint = two_masses(1e6, 10, coulomb(0, 5));
+    joint.control.k_p = 2e5;
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.region == NonlinearRegion::stable);
+    CHECK(verdict.reason == Reason::none);
+}

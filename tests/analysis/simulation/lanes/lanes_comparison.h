@@ -109,14 +109,14 @@ inline double relative_error(double a, double b)
     return std::isnan(a) || std::isnan(b) ? 0 : std::abs(a - b) / std::abs(b);
 }
 
-/// `region` asks for the search for a coexisting cycle, too.
+/// `region` asks for the search for a coexisting cycle, too; `effort` is that of CVODE.
 inline std::vector<Compared> compare_with_cvode(std::span<const Joint> joints, bool region,
-                                                const Disturbance& disturbance = {})
+                                                const Disturbance& disturbance = {}, double effort = 1)
 {
     NonlinearOptions options, strict;
     options.region = strict.region = region;
     options.disturbance = strict.disturbance = disturbance;
-    strict.rtol = 1e-11;
+    strict.rtol = 1e-11, strict.effort = effort;
     std::vector<PointResult> rows(joints.size());
     nonlinear_points(joints, options, rows);
     std::vector<Compared> compared;

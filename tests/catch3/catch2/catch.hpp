@@ -1,6 +1,7 @@
 // Catch2 3 under the header and the names of Catch2 2, which the tests are written for: Debian 12 has the one, Debian 13 the
 // other. tests/CMakeLists.txt puts this folder on the include path where it found Catch2 3.
 #pragma once
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/catch_tostring.hpp>
@@ -20,3 +21,5 @@ inline StringContainsMatcher Contains(const std::string& part) { return Contains
 using Matchers::Contains, Matchers::EndsWith, Matchers::StartsWith;
 
 }  // namespace Catch
+
+using Catch::Approx;  // of no namespace in Catch2 2

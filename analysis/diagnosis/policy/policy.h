@@ -123,18 +123,20 @@ inline constexpr double least_chance_of_further_rung = 0.5;
 inline constexpr double taken_of_rest = 1;
 /// Part of the squares that the corrections, or the causes above, take. A last rung that is a small term of every
 /// machine (`small_term`) and takes less is not named; if no rung is left, the wrong parameters are the answer. The
-/// same part of a controller finding's share decides whether such a term is named with it. Reason: a
-/// ripple or an uneven winding that moves the joint by less than half as much is not what the gap comes from; of any
-/// other cause the share says nothing, because it depends on how far the joint file is off. Evidence: in a joint whose
-/// four documented parameters were 2-9 % off and nothing else, a cogging of 1.7 % of the Coulomb level took 8 % of the
-/// gap and the corrections 86 %. On an arm under gravity whose file was 3 % off, corrections took 98 % and hid a
-/// Stribeck peak of 60 % of the Coulomb level, and four periods of dead time.
+/// same part of a controller finding's share decides whether such a term, or a cause beside which much remains, is
+/// named with it. Reason: a ripple or an uneven winding that moves the joint by less than half as much is not what the
+/// gap comes from; of any other cause the share says nothing, because it depends on how far the joint file is off.
+/// Evidence: in a joint whose four documented parameters were 2-9 % off and nothing else, a cogging of 1.7 % of the
+/// Coulomb level took 8 % of the gap and the corrections 86 %. On an arm under gravity whose file was 3 % off,
+/// corrections took 98 % and hid a Stribeck peak of 60 % of the Coulomb level, and four periods of dead time.
 inline constexpr double least_against_corrections = 0.25;
-/// Part of a controller finding's share that any other cause in the mechanism must take to be named with it, unless it
-/// is a documented number beyond `widest` beside which only noise remains. Reason: as `worth_telling`: less is the
-/// scatter of blocks. Evidence: of eleven dirty blind cases whose ladder has such a cause beside a finding it is there
-/// in ten, from 0.13 of the finding's share on, and an inertia told as backlash in one; with a quarter in its place a
-/// viscous slope 71 % off (0.24) and an asymmetry of 5 % (0.18) were left out, though their rungs had 0.96 and 0.94.
+/// Part of a controller finding's share that any other cause in the mechanism must take to be named with it where the
+/// ladder leaves less than `nearest_in_shape`, unless it is a documented number beyond `widest` beside which only noise
+/// remains. Reason: as `worth_telling`: less is the scatter of blocks; where much remains, `least_against_corrections`
+/// holds for every cause. Evidence: of eleven dirty blind cases whose ladder has such a cause beside a finding it is
+/// there in ten, from 0.13 of the finding's share on, and an inertia told as backlash in one; with a quarter in its
+/// place a viscous slope 71 % off (0.24) and an asymmetry of 5 % (0.18) were left out, though their rungs had 0.96 and
+/// 0.94.
 inline constexpr double least_beside_finding = 0.1;
 /// Part of the squares that the causes of a ladder take. A documented parameter that is `far_off` and whose removal
 /// costs more is a rung with them. Reason: a parameter that shrinks the gap as much as a cause belongs to the answer;

@@ -225,7 +225,8 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
     const std::vector<Case> cases{prepare(test::record_of({}, 1, 3), test::nominal_joint(), notes)};
     const auto corrections = std::make_shared<Corrections>(cases, scales_of(cases), policy::ladder.prior);
     const auto answer = [&](double of_controller, double of_rung, double chance, bool noise_left = false,
-                            bool numbers = false, const char* cause = "presliding", bool usual = false) {
+                            bool numbers = false, const char* cause = "presliding", bool usual = false,
+                            double left = 0.1) {
         Diagnosis d;
         d.ladder.resize(2);
         d.ladder[0].share = of_controller, d.ladder[1].share = of_rung;
@@ -236,6 +237,7 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
         controller.names = {"velocity-filter"};
         JudgedLadder j;
         j.noise_left = noise_left, j.only_corrections = numbers, j.usual = usual;
+        j.shares.base = 1, j.shares.rungs = {left};
         j.ladder.corrections = corrections;
         j.ladder.rungs.push_back(rung({cause}, 0, 1));
         put_controller_in_order(controller, j, d);
@@ -255,6 +257,9 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
     CHECK(answer(0.7, 0.14, 0.9)[0].names.size() == 2);
     CHECK(answer(0.7, 0.14, 0.9, false, false, "cogging", true)[0].names.size() == 1);
     CHECK(answer(0.6, 0.16, 0.9, false, false, "cogging", true)[0].names.size() == 2);
+    // where much remains, what else takes a fifth may be only the nearest in shape
+    CHECK(answer(0.6, 0.12, 0.9, false, false, "presliding", false, 0.15)[0].names.size() == 1);
+    CHECK(answer(0.6, 0.16, 0.9, false, false, "presliding", false, 0.15)[0].names.size() == 2);
     // numbers of the document beside it are none of it
     const auto beside_numbers = answer(0.6, 0, 0.75, false, true);
     CHECK(beside_numbers[0].probability == Approx(policy::finding_with_numbers));

@@ -24,7 +24,8 @@ _BY_SUFFIX: dict[str, Callable[..., "pandas.DataFrame"]] = {
 def _check_options(path: Path, reader: Callable[..., "pandas.DataFrame"], options: Mapping[str, Any]) -> None:
     """Readers take options of their own and hand the others on to those of arrays."""
     known: list[str] = []
-    for function in (reader, arrays.columns_of):
+    functions: tuple[Callable[..., Any], ...] = (reader, arrays.columns_of)
+    for function in functions:
         taken = inspect.signature(function).parameters
         known += [name for name, p in taken.items() if p.kind is p.POSITIONAL_OR_KEYWORD and name not in ("path", "joint", "arrays", *known)]
         if not any(p.kind is p.VAR_KEYWORD for p in taken.values()):

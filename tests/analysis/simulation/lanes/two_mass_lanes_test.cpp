@@ -1,12 +1,10 @@
 // Lanes of two masses against CVODE at rtol 1e-11, which follows the joint in its own units by ChainFlow.
-#include <array>
 #include <catch2/catch.hpp>
-#include <cstring>
 
-#include "analysis/simulation/lanes/watched_batch.h"
 #include "analysis/stability/steady.h"
 #include "tests/analysis/simulation/lanes/lanes_comparison.h"
 #include "tests/analysis/simulation/lanes/two_mass_joints.h"
+#include "tests/analysis/simulation/lanes/watched_answers.h"
 
 using namespace stickslip;
 
@@ -33,20 +31,6 @@ int same_as_cvode(const std::vector<Joint>& joints)
     return by_lanes;
 }
 
-std::vector<lanes::WatchedJob> jobs_of(const std::vector<Joint>& joints)
-{
-    std::vector<lanes::WatchedJob> jobs;
-    for (const auto& joint : joints) jobs.push_back(lanes::job(lanes::watched_scaled(joint)->groups, true));
-    return jobs;
-}
-
-std::vector<lanes::WatchedAnswer> answers_of(const std::vector<lanes::WatchedJob>& jobs, lanes::Instructions set)
-{
-    std::vector<lanes::WatchedAnswer> answers(jobs.size());
-    lanes::run(jobs.data(), answers.data(), jobs.size(), {}, set);
-    return answers;
-}
-
 /// Of all places and both laws; every one of them leaves different unknowns to the kernel.
 std::vector<lanes::WatchedJob> every_kind(std::size_t count, unsigned seed)
 {
@@ -57,16 +41,6 @@ std::vector<lanes::WatchedJob> every_kind(std::size_t count, unsigned seed)
             joints.push_back(with_ageing_masses(joint));
         }
     return jobs_of(joints);
-}
-
-bool same_bits(const lanes::WatchedAnswer& a, const lanes::WatchedAnswer& b)
-{
-    const auto numbers = [](const lanes::WatchedAnswer& c) {
-        return std::array{c.w_min, c.w_max, c.x_min, c.x_max, c.period, c.rest_time};
-    };
-    const auto of_a = numbers(a), of_b = numbers(b);
-    return a.ending == b.ending && a.cycle == b.cycle && a.turns == b.turns &&
-           std::memcmp(&of_a, &of_b, sizeof of_a) == 0;
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 // Lanes of two states and of bristles against CVODE at rtol 1e-11, and their promise of equal bits.
-#include <array>
 #include <catch2/catch.hpp>
-#include <cstring>
 
-#include "analysis/simulation/lanes/watched_batch.h"
 #include "analysis/stability/steady.h"
 #include "tests/analysis/simulation/lanes/lanes_comparison.h"
+#include "tests/analysis/simulation/lanes/watched_answers.h"
 #include "tests/analysis/simulation/lanes/watched_joints.h"
 
 using namespace stickslip;
@@ -27,31 +25,6 @@ int same_as_cvode(const std::vector<Joint>& joints)
         by_lanes += c.row.path == DecisionPath::lanes;
     }
     return by_lanes;
-}
-
-std::vector<lanes::WatchedJob> jobs_of(const std::vector<Joint>& joints)
-{
-    std::vector<lanes::WatchedJob> jobs;
-    for (const auto& joint : joints)
-        if (const auto s = lanes::watched_scaled(joint)) jobs.push_back(lanes::job(s->groups, true));
-    return jobs;
-}
-
-std::vector<lanes::WatchedAnswer> answers_of(const std::vector<lanes::WatchedJob>& jobs, lanes::Instructions set)
-{
-    std::vector<lanes::WatchedAnswer> answers(jobs.size());
-    lanes::run(jobs.data(), answers.data(), jobs.size(), {}, set);
-    return answers;
-}
-
-bool same_bits(const lanes::WatchedAnswer& a, const lanes::WatchedAnswer& b)
-{
-    const auto numbers = [](const lanes::WatchedAnswer& c) {
-        return std::array{c.w_min, c.w_max, c.x_min, c.x_max, c.period, c.rest_time};
-    };
-    const auto of_a = numbers(a), of_b = numbers(b);
-    return a.ending == b.ending && a.cycle == b.cycle && a.turns == b.turns &&
-           std::memcmp(&of_a, &of_b, sizeof of_a) == 0;
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ void put_controller_in_order(Cause controller, const JudgedLadder& j, Diagnosis&
     double beside = 0, sum = 0;
     for (std::size_t i = 1; i < d.ladder.size(); ++i) beside += d.ladder[i].share;
     for (const auto& c : d.effects) sum += c.probability;
-    // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
     const Shares& s = j.shares;
     const bool explains = !s.rungs.empty() && s.rungs.back() < policy::nearest_in_shape * s.base;
     const double least = explains && !j.usual ? policy::least_beside_finding : policy::least_against_corrections;
+    // an encoder's coarser steps take nothing of the gap that they make, and corrections are no causes beside them
     const bool good_part =
         beside > 0 && (beside >= least * d.ladder[0].share || (j.noise_left && only_stated_numbers(j.ladder)));
     if (good_part && j.noise_left) return;

@@ -1,7 +1,6 @@
 // Lanes of two masses against CVODE at rtol 1e-11, which follows the joint in its own units by ChainFlow.
 #include <catch2/catch.hpp>
 
-#include "analysis/stability/steady.h"
 #include "tests/analysis/simulation/lanes/lanes_comparison.h"
 #include "tests/analysis/simulation/lanes/two_mass_joints.h"
 #include "tests/analysis/simulation/lanes/watched_answers.h"
@@ -79,14 +78,7 @@ TEST_CASE("lanes take no two masses but two smooth contacts and a spring", "[lan
 TEST_CASE("an answer of two masses depends on its job alone", "[lanes]")
 {
     const auto jobs = every_kind(8, 30);
-    const auto set = lanes::best_instructions();
-    const auto forwards = answers_of(jobs, set);
-    const std::vector<lanes::WatchedJob> backwards(jobs.rbegin(), jobs.rend());
-    const auto reversed = answers_of(backwards, set);
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-        CHECK(same_bits(forwards[i], reversed[jobs.size() - 1 - i]));
-        if (i % 7 == 0) CHECK(same_bits(forwards[i], answers_of({jobs[i]}, set)[0]));
-    }
+    check_that_jobs_are_alone(jobs);
 }
 
 TEST_CASE("every instruction set gives the same outcomes of two masses", "[lanes]")
@@ -106,22 +98,7 @@ TEST_CASE("every instruction set gives the same outcomes of two masses", "[lanes
 
 TEST_CASE("disturbances of stated size of two masses end in lanes as CVODE has it", "[lanes][slow]")
 {
-    int by_lanes = 0, asked = 0;
-    const auto compare = [&](const Joint& joint, const Disturbance& disturbance) {
-        for (const auto& c : compare_with_cvode({&joint, 1}, false, disturbance, patient)) {
-            CAPTURE(static_cast<int>(disturbance.kind), disturbance.size, c.row.overshoot, c.truth.overshoot);
-            CHECK(c.same_outcome());
-            // the reference's first turn is over at once where a motion falls from V_0, and its peak is the start;
-            // lanes leave a motion to the linear theory at 1e-6 of steady sliding
-            const double start = disturbance.size / std::abs(steady_sliding(joint).deflection);
-            const double apart = std::abs(c.row.overshoot - c.truth.overshoot);
-            CHECK((c.overshoot < 1e-4 || apart < 1e-8 || c.truth.overshoot == Approx(start)));
-            CHECK(c.row.overshoot > c.truth.overshoot - 1e-8);
-            CHECK(c.period < 1e-5);
-            CHECK(c.amplitude < 1e-4);
-            by_lanes += c.row.path == DecisionPath::lanes, ++asked;
-        }
-    };
+    StatedComparison compare{patient};
     for (const auto place : every_place)
         for (const auto& joint : random_two_mass_joints(4, 32, place)) {
             const double V0 = joint.control.V0, m = joint.mechanism.link_inertia,
@@ -134,5 +111,5 @@ TEST_CASE("disturbances of stated size of two masses end in lanes as CVODE has i
                 compare(joint, {DisturbanceKind::state, 0.2 * joint.control.k_p * V0 * time});
             compare(joint, {DisturbanceKind::start, 0.02});
         }
-    CHECK(by_lanes > 0.9 * asked);
+    CHECK(compare.by_lanes > 0.9 * compare.asked);
 }

@@ -1,7 +1,6 @@
 // Lanes of two states and of bristles against CVODE at rtol 1e-11, and their promise of equal bits.
 #include <catch2/catch.hpp>
 
-#include "analysis/stability/steady.h"
 #include "tests/analysis/simulation/lanes/lanes_comparison.h"
 #include "tests/analysis/simulation/lanes/watched_answers.h"
 #include "tests/analysis/simulation/lanes/watched_joints.h"
@@ -46,36 +45,14 @@ TEST_CASE("an answer of two states or bristles depends on its job alone", "[lane
 {
     auto jobs = jobs_of(random_two_state_joints(40, 23));
     for (const auto& job : jobs_of(random_lugre_joints(40, 24))) jobs.push_back(job);
-    const auto set = lanes::best_instructions();
-    const auto forwards = answers_of(jobs, set);
-    const std::vector<lanes::WatchedJob> backwards(jobs.rbegin(), jobs.rend());
-    const auto reversed = answers_of(backwards, set);
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-        CHECK(same_bits(forwards[i], reversed[jobs.size() - 1 - i]));
-        if (i % 7 == 0) CHECK(same_bits(forwards[i], answers_of({jobs[i]}, set)[0]));
-    }
+    check_that_jobs_are_alone(jobs);
 }
 
 TEST_CASE("disturbances of stated size of two states and bristles end in lanes as CVODE has it", "[lanes][slow]")
 {
     auto joints = random_two_state_joints(8, 25);
     for (const auto& joint : random_lugre_joints(8, 26)) joints.push_back(joint);
-    int by_lanes = 0, asked = 0;
-    const auto compare = [&](const Joint& joint, const Disturbance& disturbance) {
-        for (const auto& c : compare_with_cvode({&joint, 1}, false, disturbance)) {
-            CAPTURE(static_cast<int>(disturbance.kind), disturbance.size, c.row.overshoot, c.truth.overshoot);
-            CHECK(c.same_outcome());
-            // the reference's first turn is over at once where a motion falls from V_0, and its peak is the start;
-            // lanes leave a motion to the linear theory at 1e-6 of steady sliding
-            const double start = disturbance.size / std::abs(steady_sliding(joint).deflection);
-            const double apart = std::abs(c.row.overshoot - c.truth.overshoot);
-            CHECK((c.overshoot < 1e-4 || apart < 1e-8 || c.truth.overshoot == Approx(start)));
-            CHECK(c.row.overshoot > c.truth.overshoot - 1e-8);
-            CHECK(c.period < 1e-5);
-            CHECK(c.amplitude < 1e-4);
-            by_lanes += c.row.path == DecisionPath::lanes, ++asked;
-        }
-    };
+    StatedComparison compare;
     for (const auto& joint : joints) {
         const double V0 = joint.control.V0, m = joint.mechanism.inertia, time = std::sqrt(m / joint.control.k_p);
         compare(joint, {DisturbanceKind::position, 0.3 * V0 * time});
@@ -85,5 +62,5 @@ TEST_CASE("disturbances of stated size of two states and bristles end in lanes a
         compare(joint, {DisturbanceKind::state, 0.2 * joint.control.k_p * V0 * time});
         compare(joint, {DisturbanceKind::start, 0.02});
     }
-    CHECK(by_lanes > 0.9 * asked);
+    CHECK(compare.by_lanes > 0.9 * compare.asked);
 }

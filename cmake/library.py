@@ -1,7 +1,7 @@
 """docs/library.md from the public headers: what a program outside can call, with the words above each declaration.
 
-Every header of include/stickslip forwards to one header of ours. Its page section has the words at its head, and every
-struct, enum, function, constant and alias of its namespace with the comment above it. Bodies of functions and the
+Every header of include/stickslip forwards to the headers of ours that ask a question and hold its answer. Its page section has the
+words at their heads, and every struct, enum, function, constant and alias of its namespace with the comment above it. Bodies of functions and the
 self-description of structs (`fields`) are left out.
 """
 import re
@@ -89,17 +89,17 @@ def without_bodies(lines):
 
 
 def headers(root):
-    """Name and text of the header that each public one forwards to."""
+    """Name of each public header, texts of those that it forwards to."""
     for header in sorted((root / "include/stickslip").glob("*.h")):
-        if found := INCLUDE.search(header.read_text(encoding="utf-8")):
-            yield header.name, (root / found.group(1)).read_text(encoding="utf-8")
+        if found := INCLUDE.findall(header.read_text(encoding="utf-8")):
+            yield header.name, [(root / target).read_text(encoding="utf-8") for target in found]
 
 
 def library(root):
     text = HEAD
-    for name, target in headers(root):
-        text += f"\n## `<stickslip/{name}>`\n\n{head_words(target)}\n"
-        for comment, lines in declarations(target):
+    for name, targets in headers(root):
+        text += f"\n## `<stickslip/{name}>`\n\n" + " ".join(head_words(target) for target in targets) + "\n"
+        for comment, lines in (d for target in targets for d in declarations(target)):
             shown = without_bodies(lines)
             if re.match(r"(?:struct|class|enum class) \w+;$", shown):
                 continue

@@ -1,3 +1,6 @@
-// nonlinear_verdict(): what the joint does after a disturbance.
+// nonlinear_verdict(): what a joint does after a disturbance, with the numbers of its cycle. nonlinear_points(): many
+// joints at once.
 #pragma once
+#include "analysis/results/nonlinear_verdict.h"
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/points.h"

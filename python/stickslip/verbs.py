@@ -89,8 +89,8 @@ def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, refere
 
     With a `reference` (data frame or CSV with time and reference_position) the joint follows it in its sampled loop, and
     the frame is the record that its controller would have logged, ready for `diagnose`, in SI units and those of the drive. Options
-    are those of the command line with underscores: simulate(joint, disturbance="velocity", size=1e-3, duration=2.0). Units of a motion
-    stand in `frame.attrs["units"]`, how it ends in `frame.attrs["verdict"]`.
+    are those of the command line with underscores: simulate(joint, disturbance="velocity", size=1e-3, duration=2.0). Units of the columns
+    stand in `frame.attrs["units"]`, how a motion ends in `frame.attrs["verdict"]`.
     """
     import pandas
 
@@ -109,14 +109,20 @@ def simulate(joint: JointLike, settings: Mapping[str, Any] | None = None, refere
         if not table.exists():
             raise program.StickslipError(run.stdout.strip() or run.stderr.strip())
         frame = pandas.read_csv(table)
-    units = {}
-    for column in list(frame.columns):
-        name, _, unit = column.partition(" [")
-        units[name] = unit.rstrip("]")
-    frame.columns = list(units)
+        said = json.loads((folder / "motion.json").read_text(encoding="utf-8"))["units"]
+    frame.columns = [column.partition(" [")[0] for column in frame.columns]
+    frame.attrs["units"] = {column: said[_quantity(column)] for column in frame.columns if column != "stuck"}
     if reference is None:
-        frame.attrs.update(units=units, verdict=run.stdout.splitlines()[0] if run.stdout else "")
+        frame.attrs["verdict"] = run.stdout.splitlines()[0] if run.stdout else ""
     return frame
+
+
+def _quantity(column: str) -> str:
+    """What a column of a motion or record holds."""
+    if column in ("effort_command", "feed_forward"):
+        return "command"
+    kind = column.rsplit("_", 1)[-1]
+    return kind if kind in ("time", "position", "velocity") else "effort"
 
 
 def boundary(joint: JointLike | SpecLike, along: str | Sequence[str] = (), over: Sequence[str] = (),

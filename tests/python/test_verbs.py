@@ -50,6 +50,20 @@ def test_simulate_is_a_data_frame():
     assert frame.attrs["units"]["velocity"] == "m/s"
 
 
+def test_a_record_has_units_those_of_the_drive_too():
+    joint = {
+        "joint": {"motion": "revolute", "inertia": 0.01},
+        "actuator": {"motor": {"resistance": 1.0, "torque_constant": 0.5, "back_emf": 0.5}},
+        "control": {"command": "voltage", "k_p": 40.0, "k_v": 1.0, "period": 1e-3, "V0": 1.0, "velocity_estimate": "measured"},
+        "friction": {"law": "coulomb-viscous", "coulomb": 0.1, "viscous": 0.01},
+    }
+    time = numpy.linspace(0, 1, 101)
+    frame = stickslip.simulate(joint, reference={"time": time, "reference_position": 0.2 * time})
+    units = frame.attrs["units"]
+    assert (units["position"], units["velocity"]) == ("rad", "rad/s")
+    assert (units["effort_command"], units["effort_measured"]) == ("V", "N·m")
+
+
 def test_boundary_and_margins():
     answer = stickslip.boundary(REFERENCE, along="control.k_p=1e4..1e6", kind="linear")
     found = [p["value"] for line in answer["lines"] for p in line["points"]]

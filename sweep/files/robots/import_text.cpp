@@ -47,6 +47,15 @@ std::string with_missing(std::string text, const ImportAnswer& answer)
 
 }  // namespace
 
+std::string impossible_inertia_text(const ImpossibleInertia& of)
+{
+    const auto& I = of.moments;
+    return fmt::format(
+        "{}: {} has the principal inertias {:.4g}, {:.4g} and {:.4g} kg·m², which no rigid body has: the greatest is "
+        "above the sum of the others. It counts as it is written.",
+        of.place, of.body, I[0], I[1], I[2]);
+}
+
 std::string import_text(const ImportAnswer& answer, const std::string& robot_file, const std::string& pose_file)
 {
     const auto& d = answer.dynamics;
@@ -61,6 +70,7 @@ std::string import_text(const ImportAnswer& answer, const std::string& robot_fil
     text += units.motion == Motion::revolute
                 ? ", its stiffness " + with(d.gravity_stiffness, Quantity::stiffness, units) + ".\n"
                 : ".\n";
+    for (const auto& of : answer.impossible) text += "# " + impossible_inertia_text(of) + "\n";
     text += limits_text(answer.described, units);
     if (answer.described.friction == 0)
         text += "# Friction is 0 in the robot's description: put in what was measured.\n";

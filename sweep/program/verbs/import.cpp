@@ -33,6 +33,10 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
 {
     const auto& d = answer.dynamics;
     const auto& j = answer.described;
+    auto impossible = nlohmann::ordered_json::array();
+    for (const auto& of : answer.impossible)
+        impossible.push_back(
+            {{"body", of.body}, {"place", of.place}, {"moments", {of.moments[0], of.moments[1], of.moments[2]}}});
     return {{"format", "stickslip-import/1"},
             {"joint", j.name},
             {"text", text},
@@ -52,6 +56,7 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
               {"velocity", finite(j.velocity)},
               {"effort", finite(j.effort)}}},
             {"gear", j.gear},
+            {"impossible_inertias", impossible},
             {"missing", answer.missing}};
 }
 
@@ -76,6 +81,7 @@ int import_verb(const Options& options)
     } else {
         write_whole(options.file, text);
     }
+    for (const auto& of : answer.impossible) say("note: {}\n", impossible_inertia_text(of));
     for (const auto& path : answer.missing) say("Still to fill in: {} (or --set {}=…)\n", path, path);
     return exit_done;
 }

@@ -93,7 +93,7 @@ std::filesystem::path write_trajectory(const Joint& joint, const Trajectory& t, 
 /// Overshoot, settling time and stairs, on the terminal and as motion.json beside the motion.
 void tell_measures(const MotionMeasures& m, Units units, const std::filesystem::path& directory)
 {
-    write_whole(directory / "motion.json", motion_json(m).dump(2) + "\n");
+    write_whole(directory / "motion.json", motion_json(m, units).dump(2) + "\n");
     const auto tell = [&](const char* name, double value, Quantity quantity) {
         if (is_set(value)) fmt::print("{:<11} {}\n", name, plain_text(with_unit(value, quantity, units, 4)));
     };

@@ -13,6 +13,7 @@ ImportAnswer import_joint(const Robot& robot, int joint, const std::vector<doubl
     answer.described = described;
     answer.position = pose[static_cast<std::size_t>(joint)];
     answer.dynamics = axis_dynamics(robot, joint, pose);
+    answer.impossible = impossible_inertias(robot, joint);
     const auto& d = answer.dynamics;
 
     Joint& j = answer.joint;

@@ -12,8 +12,9 @@ struct ImportAnswer {
     Joint joint;  ///< one mass; gains only where the robot's description has them
     AxisDynamics dynamics;
     RobotJoint described;
-    double position = 0;               ///< of the joint at this pose
-    std::vector<std::string> missing;  ///< paths of required numbers that no robot description has
+    double position = 0;                        ///< of the joint at this pose
+    std::vector<std::string> missing;           ///< paths of required numbers that no robot description has
+    std::vector<ImpossibleInertia> impossible;  ///< counted as they are described
     const RobotClosure* loop =
         nullptr;  ///< what ties the joint to the rest, into the robot: nothing else is then valid
 };

@@ -2,6 +2,8 @@
 
 #include "sweep/study/import/placed.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace stickslip {
@@ -39,6 +41,20 @@ bool moves(const Robot& robot, int joint, int body)
     for (; body >= 0; body = robot.bodies[static_cast<std::size_t>(body)].parent)
         if (body == moved) return true;
     return false;
+}
+
+std::vector<ImpossibleInertia> impossible_inertias(const Robot& robot, int joint)
+{
+    constexpr double rounding = 0.01;  // share: two digits, the fewest that descriptions write
+    std::vector<ImpossibleInertia> found;
+    for (std::size_t b = 0; b < robot.bodies.size(); ++b) {
+        if (!moves(robot, joint, static_cast<int>(b))) continue;
+        const auto& body = robot.bodies[b];
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.inertia, Eigen::EigenvaluesOnly);
+        const Eigen::Vector3d& moments = principal.eigenvalues();
+        if (moments[2] > (1 + rounding) * (moments[0] + moments[1])) found.push_back({body.name, body.place, moments});
+    }
+    return found;
 }
 
 bool passes_through(const Robot& robot, const RobotClosure& closure, int joint)

@@ -63,6 +63,15 @@ struct AxisDynamics {
     int bodies = 0;
 };
 
+/// Principal moments that no rigid body has: the greatest is above the sum of the others.
+struct ImpossibleInertia {
+    std::string body, place;
+    Eigen::Vector3d moments = Eigen::Vector3d::Zero();  ///< kg·m², ascending
+};
+
+/// Of the bodies that a joint moves. Written with few digits, a flat body may be above the sum by their rounding.
+std::vector<ImpossibleInertia> impossible_inertias(const Robot& robot, int joint);
+
 /// `pose` has one coordinate a joint.
 AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<double>& pose);
 

@@ -147,6 +147,31 @@ TEST_CASE("import: solids of even density have the inertia of their closed form"
     CHECK(inertia("type=\"capsule\" size=\"0.1 1e-9\" mass=\"2\"") == Approx(0.4 * 2 * 0.01));
 }
 
+TEST_CASE("import: an inertia that no rigid body has is counted and said")
+{
+    const TemporaryDirectory room;
+    const auto imported = [&](const std::string& moments) {
+        const std::string text =
+            replaced(arm_urdf, "</robot>",
+                     "<link name=\"tool\"><inertial><mass value=\"1\"/><inertia " + moments +
+                         "/></inertial></link><joint name=\"on\" type=\"fixed\"><parent link=\"tip\"/><child "
+                         "link=\"tool\"/></joint></robot>");
+        const Robot robot = read_robot(written(room, "tool.urdf", text));
+        const int elbow = joint_named(robot, "elbow", "tool.urdf");
+        return import_joint(robot, elbow, std::vector<double>(robot.joints.size(), 0.0));
+    };
+    const auto wrong = imported("ixx=\"0.1\" iyy=\"0.1\" izz=\"0.3\"");
+    REQUIRE(wrong.impossible.size() == 1);
+    CHECK(wrong.impossible[0].body == "link \"tool\"");
+    CHECK(wrong.impossible[0].moments[2] == Approx(0.3));
+    const auto right = imported("ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\"");
+    CHECK(right.impossible.empty());
+    CHECK(import_text(wrong, "tool.urdf", "").find("no rigid body has") != std::string::npos);
+    CHECK(import_text(right, "tool.urdf", "").find("no rigid body has") == std::string::npos);
+    // a thin plate whose moments have two digits: 0.052 + 0.052 = 0.104, written 0.05, 0.05 and 0.1
+    CHECK(imported("ixx=\"0.052\" iyy=\"0.052\" izz=\"0.1045\"").impossible.empty());
+}
+
 TEST_CASE("import: what cannot be used is refused by file and line")
 {
     const TemporaryDirectory room;

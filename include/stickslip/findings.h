@@ -1,3 +1,0 @@
-// Diagnosis: what a diagnosis found.
-#pragma once
-#include "analysis/results/diagnosis.h"

@@ -1,3 +1,0 @@
-// Located points with their brackets, followed curves.
-#pragma once
-#include "analysis/results/boundary.h"

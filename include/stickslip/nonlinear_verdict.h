@@ -1,3 +1,0 @@
-// What a joint does after a disturbance, with the numbers of its cycle.
-#pragma once
-#include "analysis/results/nonlinear_verdict.h"

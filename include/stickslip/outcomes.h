@@ -1,3 +1,0 @@
-// nonlinear_points(): the outcomes of many joints at once.
-#pragma once
-#include "analysis/simulation/points.h"

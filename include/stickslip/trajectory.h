@@ -1,3 +1,0 @@
-// A motion in time.
-#pragma once
-#include "analysis/results/trajectory.h"

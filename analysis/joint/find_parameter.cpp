@@ -72,4 +72,13 @@ double& number_at(Joint& joint, const std::string& path)
     return *number;
 }
 
+Quantity quantity_of(const Joint& given, std::string_view path)
+{
+    Joint joint = given;
+    const double* number = find_parameter(joint, path);
+    for (const auto& leaf : parameters(joint))
+        if (leaf.value == number) return leaf.quantity;
+    return Quantity::number;
+}
+
 }  // namespace stickslip

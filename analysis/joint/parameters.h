@@ -28,6 +28,9 @@ double* find_parameter(Joint& joint, std::string_view path);
 /// The same. Throws std::invalid_argument for a path that the joint lacks.
 double& number_at(Joint& joint, const std::string& path);
 
+/// Of the number at a path; Quantity::number where the joint lacks it.
+Quantity quantity_of(const Joint& joint, std::string_view path);
+
 /// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
 /// the reader of files fills `table`. check() complains about a named table that was not filled.
 struct TableSlot {

@@ -140,7 +140,9 @@ struct NearestBoundary {
     bool decided = false;  ///< the joint itself has a verdict
     bool stable = false;   ///< which
     bool found = false;
-    double distance = 0;  ///< in the scaled logarithms of the parameters; found or not, nothing lies nearer on the rays
+    /// √Σ (ln(to/from)/scale)²; where nothing was found as far as was searched: nothing lies nearer on the rays.
+    /// Missing without a verdict.
+    double distance = missing;
     std::vector<NearestMove> moves;
     std::vector<double> direction;  ///< unit vector in the same coordinates
     int evaluations = 0;

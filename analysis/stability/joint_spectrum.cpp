@@ -12,7 +12,8 @@
 namespace stickslip {
 namespace {
 
-/// Not where it is the rate of a friction state that the motion does not notice, which F does not contain.
+/// A root that is the rate of a friction state which the motion does not notice stays as it is: the characteristic
+/// function F does not contain it.
 Complex polished_of(const LinearJoint& j, Complex start)
 {
     for (int i = 0; i < j.bodies; ++i)

@@ -225,6 +225,7 @@ PointResult linear_point(const Joint& joint)
     point.velocity_only_stable = velocity_only_code(mass);
     point.state_variable_stable = code_of(point.spectral_abscissa);
     point.region = region_of(point.velocity_only_stable, point.state_variable_stable);
+    // one of millions of rows has no time for a search: the closed form, which stable_gains meets within rounding
     if (mass.friction.states <= 1 && !gain_moves_sliding(joint)) {
         if (const auto critical = critical_gain(mass.inertia, mass.k_v, mass.friction)) {
             point.k_cr = critical->k_p;

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stickslip {
 
@@ -16,9 +17,11 @@ struct DesignAnswer {
     Requirements requirements;
     GainDesign design;
     GainRange range{{missing, missing}, {missing, missing}};  ///< that was searched
-    NearestBoundary nearest;                                  ///< of the best gains
-    std::optional<GainChart> map;      ///< around all the choices, at the best gains; only for a page
-    Trajectory motion, motion_before;  ///< after a disturbance at the commanded velocity: best gains, gains as given
+    std::vector<Coordinate> uncertain;                        ///< in which margins are measured
+    NearestBoundary nearest;                                  ///< of the best gains, in these
+    double margin_tolerance = missing;  ///< share by which these may be off at once within the margin of the best gains
+    std::optional<GainChart> map;       ///< around all the choices, at the best gains; only for a page
+    Trajectory motion, motion_before;   ///< after a disturbance at the commanded velocity: best gains, gains as given
 };
 
 }  // namespace stickslip

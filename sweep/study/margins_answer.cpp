@@ -24,6 +24,17 @@ Samples growth_line(const Joint& joint, const Coordinate& coordinate, double rea
     return line;
 }
 
+std::optional<std::size_t> shortest(const std::vector<NearestBoundary>& alone)
+{
+    std::optional<std::size_t> least;
+    const auto length = [&](std::size_t i) {
+        return std::abs(std::log(alone[i].moves[0].to / alone[i].moves[0].from));
+    };
+    for (std::size_t i = 0; i < alone.size(); ++i)
+        if (alone[i].found && (!least || length(i) < length(*least))) least = i;
+    return least;
+}
+
 }  // namespace
 
 MarginsAnswer margins_of(const Joint& joint)
@@ -37,12 +48,15 @@ MarginsAnswer margins_of(const Joint& joint)
         if (answer.reason == Reason::none) answer.reason = Reason::not_finite;
         return answer;
     }
+    if (answer.nearest.found) answer.tolerance_each = tolerance_each(answer.nearest.distance, coordinates);
+    // gains are chosen, not uncertain: in no direction does a joint differ from its file by them
     for (const char* gain : {"control.k_v", "control.k_p"})
         if (!std::isnan(value_of(joint, {gain, ""}))) coordinates.insert(coordinates.begin(), Coordinate{gain, ""});
     for (const auto& c : coordinates) {
         answer.alone_of.push_back(c);
         answer.alone.push_back(nearest_boundary(joint, {c}, affordable_search(joint)));
     }
+    answer.shortest_alone = shortest(answer.alone);
     return answer;
 }
 

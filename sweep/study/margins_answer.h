@@ -36,8 +36,10 @@ struct MarginsAnswer {
     Joint joint;
     Reason reason = Reason::none;  ///< why it has no verdict, and so no margin
     NearestBoundary nearest;
+    double tolerance_each = missing;     ///< share by which all its parameters may be off at once without reaching it
     std::vector<NearestBoundary> alone;  ///< one parameter each
     std::vector<Coordinate> alone_of;
+    std::optional<std::size_t> shortest_alone;  ///< of `alone`: which has the shortest way to its boundary
     Uncertainty uncertainty;
     std::optional<WorstCase> worst;
     std::optional<FollowedBoundary> nominal, robust;  ///< over two axes

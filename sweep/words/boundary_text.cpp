@@ -1,7 +1,7 @@
 #include "sweep/words/boundary_text.h"
 
 #include "analysis/results/text.h"
-#include "sweep/words/verdict_text.h"
+#include "sweep/words/reason_text.h"
 
 #include <fmt/format.h>
 

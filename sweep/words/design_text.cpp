@@ -47,14 +47,6 @@ std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits&
     return texts;
 }
 
-std::vector<double> scales_of(const DesignAnswer& a)
-{
-    std::vector<double> scales;
-    for (const auto& c : a.requirements.uncertain.empty() ? friction_coordinates(a.joint) : a.requirements.uncertain)
-        scales.push_back(c.scale);
-    return scales;
-}
-
 namespace {
 
 std::string infeasible_text(const DesignAnswer& a, const DesignUnits& u)

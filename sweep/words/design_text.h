@@ -37,9 +37,6 @@ std::string requirement_value(const RequirementReport& d, double value, const De
 /// An optimum at the end of what was searched is one of the search.
 std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits& u);
 
-/// Of the numbers in which its margin is measured.
-std::vector<double> scales_of(const DesignAnswer& a);
-
 /// The answer in a few sentences, mark-up: the optimum, or why there is none and what would be feasible.
 std::string design_verdict_text(const DesignAnswer& answer);
 

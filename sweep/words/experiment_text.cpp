@@ -1,6 +1,27 @@
 #include "sweep/words/experiment_text.h"
 
+#include "analysis/results/text.h"
+#include "sweep/study/motion_reach.h"
+
+#include <fmt/format.h>
+
 namespace stickslip {
+namespace {
+
+constexpr double beyond_doubt = 100, seen = 1;  ///< noise standard deviations
+
+std::string reach_text(const MotionReach& reach, Units units)
+{
+    return fmt::format(
+        "It moves between {} and {}, with at most {} and {}, and takes {}. Before running it, check that the machine "
+        "is free over that stroke and may move that fast; the program knows only the records.",
+        with_unit(reach.low, Quantity::position, units), with_unit(reach.high, Quantity::position, units),
+        with_unit(reach.fastest, Quantity::velocity, units),
+        with_error(reach.hardest, 0, units.motion == Motion::revolute ? "rad/s²" : "m/s²"),
+        with_unit(reach.duration, Quantity::time, units));
+}
+
+}  // namespace
 
 std::string_view motion_text(TestMotion motion)
 {
@@ -25,6 +46,35 @@ std::string_view motion_text(TestMotion motion)
             return "a hold at rest between two slides at the first speed";
     }
     return "";
+}
+
+bool has_motion(const NextExperiment& e)
+{
+    return e.motion != TestMotion::none && !e.separates.empty() && !(e.distance < seen) && !e.reference.empty();
+}
+
+std::string next_experiment_text(const Diagnosis& d)
+{
+    const auto& e = d.next_experiment;
+    if (e.motion == TestMotion::none || e.separates.empty())
+        return d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
+                   ? "No causes remain to be distinguished."
+                   : "No motion was found that would distinguish the named causes.";
+    const auto& [one, two] = e.separates[0];
+    if (e.distance < seen)
+        return fmt::format(
+            "No motion that was tried would distinguish {} from {}: with the fitted parameters, even along {} they "
+            "differ by only {:.1g} noise standard deviations. For a simulation either will do.",
+            one, two, motion_text(e.motion), e.distance);
+    auto text = fmt::format("Move along {}: there {} and {} differ by {}.", motion_text(e.motion), one, two,
+                            e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
+                                                      : fmt::format("{:.1f} noise standard deviations", e.distance));
+    if (!e.reference.empty())
+        text +=
+            " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
+            "stroke and the speed that the records show; its acceleration is given below. " +
+            reach_text(reach_of(e.time, e.reference), Units(d.motion));
+    return text;
 }
 
 }  // namespace stickslip

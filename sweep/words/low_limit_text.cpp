@@ -3,7 +3,7 @@
 #include "analysis/results/text.h"
 #include "analysis/stability/steady.h"
 #include "sweep/words/detail_text.h"
-#include "sweep/words/verdict_text.h"
+#include "sweep/words/reason_text.h"
 
 namespace stickslip {
 

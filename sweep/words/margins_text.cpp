@@ -2,11 +2,14 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/words/heading_text.h"
 #include "sweep/words/nearest_text.h"
+#include "sweep/words/plain_text.h"
+#include "sweep/words/reason_text.h"
 #include "sweep/words/symbols.h"
-#include "sweep/words/verdict_text.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace stickslip {
@@ -19,20 +22,6 @@ std::string coordinate_text(const Coordinate& c, Units units)
 std::string signed_percent(double share)
 {
     return (share < 0 ? "−" : "+") + plain_number(100 * std::abs(share), 3) + " %";
-}
-
-Quantity quantity_of(const Joint& given, const std::string& path)
-{
-    Joint joint = given;
-    const double* number = find_parameter(joint, path);
-    for (const auto& leaf : parameters(joint))
-        if (leaf.value == number) return leaf.quantity;
-    return Quantity::number;
-}
-
-std::vector<double> scales_of(const MarginsAnswer& a)
-{
-    return std::vector<double>(a.nearest.direction.size(), 1);
 }
 
 namespace {
@@ -50,9 +39,11 @@ std::string worst_text(const MarginsAnswer& a)
               signed_percent(a.worst->deviations[i]);
     const bool box = a.uncertainty.shape == UncertaintyShape::box;
     const double growth = a.worst->instability;
-    return " Within the " + std::string(box ? "box " : "ellipsoid ") + within +
-           (growth < 0 ? " it stays stable; least so at " + at + ", where disturbances still decay at "
-                       : " it can turn unstable: at " + at + " disturbances grow at ") +
+    const std::string off = " With " + within + (box ? "" : " (all together within an ellipsoid)");
+    if (std::isnan(growth)) return off + " the worst joint is undecided.";
+    return off +
+           (growth < 0 ? " the joint stays stable; least so at " + at + ", where disturbances still decay at "
+                       : " the joint can become unstable: at " + at + " disturbances grow at ") +
            plain_number(std::abs(growth)) + " 1/s.";
 }
 
@@ -75,13 +66,53 @@ Table alone_table(const MarginsAnswer& a)
     return table;
 }
 
+std::string alone_lines(const MarginsAnswer& a)
+{
+    std::string text;
+    const auto table = alone_table(a);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const auto& row = table.rows[i];
+        text += fmt::format("  {:<24} {:>16}  ", plain_text(row[0]), plain_text(row[1])) +
+                (a.alone[i].found ? fmt::format("boundary at {:<18} {}\n", plain_text(row[2]), plain_text(row[3]))
+                                  : "no boundary within ×10\n");
+    }
+    if (a.robust)
+        text += "robust boundary: " + counted(static_cast<long long>(a.robust->pieces.size()), "piece") + ", " +
+                counted(a.robust->points(), "point") + "\n";
+    return text;
+}
+
+std::vector<Headline> margins_headlines(const MarginsAnswer& a)
+{
+    using Tone = Headline::Tone;
+    const Units units = units_of(a.joint);
+    std::vector<Headline> list{nearest_headline(a.nearest, units)};
+    if (const auto nearest = a.shortest_alone) {
+        const auto& move = a.alone[*nearest].moves[0];
+        const auto quantity = quantity_of(a.joint, move.path);
+        list.push_back({Tone::neutral,
+                        coordinate_text({move.path, move.less}, units) + " " + signed_percent(move.to / move.from - 1),
+                        "is the nearest boundary for one parameter alone: " +
+                            range_text(move.from, move.to, quantity, units, from_to, 4)});
+    }
+    if (a.nearest.found)
+        list.push_back({Tone::neutral, off_text(a.tolerance_each),
+                        "in " + uncertain_numbers(a.nearest, units) + " at once cannot reach the boundary (distance " +
+                            plain_number(a.nearest.distance) + ")"});
+    if (a.worst)
+        list.push_back({a.worst->instability < 0 ? Tone::good : Tone::bad,
+                        with_unit(a.worst->instability, Quantity::rate, units),
+                        "max Re s of the worst joint within the stated uncertainty; stable below 0"});
+    return list;
+}
+
 std::string margins_text(const MarginsAnswer& a)
 {
     if (!a.nearest.decided) return "No margin, as the joint has no verdict: " + reason_text(a.reason) + ".";
     std::string text = nearest_text(a.nearest, units_of(a.joint));
     if (a.nearest.found)
-        text += " Without reaching it " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
-                all_at_once(a.nearest.distance, scales_of(a)) + " each, all at once (distance " +
+        text += " The boundary is not reached as long as " + uncertain_numbers(a.nearest, units_of(a.joint)) +
+                " are off by at most " + off_text(a.tolerance_each) + " each (distance " +
                 plain_number(a.nearest.distance) + ").";
     return text + worst_text(a);
 }

@@ -14,14 +14,14 @@ std::string coordinate_text(const Coordinate& coordinate, Units units);
 /// "−10.2 %" of a share.
 std::string signed_percent(double share);
 
-/// Of the parameter at a path of the joint.
-Quantity quantity_of(const Joint& joint, const std::string& path);
-
-/// One factor of e each: margins_of measures the nearest boundary in plain logarithms.
-std::vector<double> scales_of(const MarginsAnswer& answer);
-
 /// One row a parameter: value, boundary, change.
 Table alone_table(const MarginsAnswer& answer);
+
+/// The same as lines of a terminal.
+std::string alone_lines(const MarginsAnswer& answer);
+
+/// For the top of a page: the nearest boundary, that of one parameter alone, how far all may be off, the worst joint.
+std::vector<Headline> margins_headlines(const MarginsAnswer& answer);
 
 /// The answer in a few sentences, mark-up.
 std::string margins_text(const MarginsAnswer& answer);

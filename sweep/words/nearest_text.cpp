@@ -102,12 +102,9 @@ void name_symbols(Report& report, const NearestBoundary& n, Units units)
     report.findings.push_back(text);
 }
 
-std::string all_at_once(double distance, const std::vector<double>& scales)
+std::string off_text(double share)
 {
-    double squares = 0;
-    for (const double scale : scales) squares += 1 / (scale * scale);
-    const double each = squares > 0 ? distance / std::sqrt(squares) : distance;
-    return "±" + plain_number(100 * -std::expm1(-each), 2) + "\u00a0%";
+    return "±" + plain_number(100 * share, 2) + "\u00a0%";
 }
 
 }  // namespace stickslip

@@ -22,9 +22,7 @@ std::string uncertain_numbers(const NearestBoundary& nearest, Units units);
 /// the numbers of the first screen.
 void name_symbols(Report& report, const NearestBoundary& nearest, Units units);
 
-/// A distance over numbers as an engineer states tolerances: "±4.2 %". Numbers that are all off by no more than that
-/// together stay within the distance: |ln(1 ± x)| √Σ 1/scale² ≤ d. `scales` are those of the coordinates in which it
-/// was measured.
-std::string all_at_once(double distance, const std::vector<double>& scales);
+/// "±3.2 %" of a share.
+std::string off_text(double share);
 
 }  // namespace stickslip

@@ -1,18 +1,24 @@
 #include "sweep/words/open_text.h"
 
-#include "sweep/words/verdict_text.h"
+#include "sweep/words/reason_text.h"
 
 #include <fmt/ranges.h>
 
 namespace stickslip {
 
+std::string open_ending_text(const NonlinearVerdict& verdict)
+{
+    const std::string reason = reason_text(verdict);
+    return "Undecided " +
+           std::string(verdict.outcome == Outcome::stable_sliding
+                           ? "whether larger disturbances also end in steady sliding"
+                           : "how the motion after the disturbance ends") +
+           (reason.empty() ? "." : ": " + reason + ".");
+}
+
 std::string open_text(const NonlinearVerdict& verdict)
 {
-    const std::string reason = reason_text(verdict), because = reason.empty() ? "." : ": " + reason + ".";
-    return (verdict.outcome == Outcome::stable_sliding
-                ? "Undecided whether larger disturbances also end in steady sliding" + because
-                : "Undecided how the motion after the disturbance ends" + because) +
-           " About small disturbances:";
+    return open_ending_text(verdict) + " About small disturbances:";
 }
 
 std::string contradicted_text(const std::vector<std::string>& missing, bool grows)

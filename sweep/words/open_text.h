@@ -7,7 +7,10 @@ namespace stickslip {
 
 struct NonlinearVerdict;
 
-/// One sentence about an outcome that is undecided, with the reason, before the verdict on small disturbances.
+/// What of an outcome is undecided, with the reason.
+std::string open_ending_text(const NonlinearVerdict& verdict);
+
+/// The same before the verdict on small disturbances.
 std::string open_text(const NonlinearVerdict& verdict);
 
 /// One sentence before the linear verdict where the simulation, which has these terms that the linear theory lacks,

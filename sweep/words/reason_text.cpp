@@ -1,5 +1,5 @@
 // Why a verdict is open, in words.
-#include "sweep/words/verdict_text.h"
+#include "sweep/words/reason_text.h"
 
 #include "sweep/words/detail_text.h"
 

@@ -1,5 +1,7 @@
 #include "sweep/words/study_text.h"
 
+#include "analysis/results/text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -80,6 +82,13 @@ std::string error_text(const ReductionStudy& r)
     if (std::isnan(r.own.error)) return "neither joint has a boundary along " + range + ": nothing to compare";
     return fmt::format("boundaries along {}: {} of the full joint, {} of the reduced one", range, r.own.full.size(),
                        r.own.reduced.size());
+}
+
+std::string reduction_error_text(double error)
+{
+    return std::isnan(error)   ? "nothing to compare"
+           : std::isinf(error) ? "different number of boundaries"
+                               : percent(error);
 }
 
 std::string rightmost_roots_text()

@@ -19,6 +19,9 @@ std::string refused_text(const ReductionStudy& reduction);
 /// Of a reduction without an error, with the range and what was found there.
 std::string error_text(const ReductionStudy& reduction);
 
+/// "2.1 %", or why boundaries of full and reduced joint were not compared.
+std::string reduction_error_text(double error);
+
 /// What eigenvalues are that are not all of them.
 std::string rightmost_roots_text();
 

@@ -1,4 +1,5 @@
 // The numbers of a verdict, as rows of a table.
+#include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include "analysis/results/text.h"

@@ -1,4 +1,5 @@
 #include "sweep/words/verdict_text.h"
+#include "sweep/words/reason_text.h"
 
 #include "analysis/joint/gains.h"
 #include "analysis/results/text.h"
@@ -116,6 +117,18 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
         text += stable_gains(joint, memory);
     const auto side = side_text(joint, false);
     return text + other_theory(joint, v) + loop_text(v.loop) + (side.empty() ? "" : " " + side);
+}
+
+std::string design_point_text(Region region, double spectral_abscissa, bool rests)
+{
+    if (region == Region::bistable)
+        return std::string("The design is stable for small disturbances only: a larger one ") +
+               (rests ? "leaves it at rest for good." : "ends in stick-slip.");
+    if (region == Region::undecided) return "The design is undecided.";
+    if (region == Region::neutral) return "The design is neutral: small disturbances neither decay nor grow.";
+    return spectral_abscissa < 0 ? "The design slides smoothly."
+           : rests               ? "The design comes to rest for good."
+                                 : "The design sticks and slips.";
 }
 
 }  // namespace stickslip

@@ -12,6 +12,9 @@ namespace stickslip {
 /// a large enough disturbance ends in stick-slip. `rests`: what does not slide on stays at rest.
 std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, bool bistable = false, bool rests = false);
 
+/// Of the design on a map. `rests`: what does not slide on comes to rest for good.
+std::string design_point_text(Region region, double spectral_abscissa, bool rests);
+
 /// Every number of the verdict with its unit.
 Table linear_table(const Joint& joint, const LinearVerdict& verdict);
 
@@ -20,11 +23,5 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& verdict);
 
 /// What a cycle does for the share of its period that is `stick_fraction`: a motion backwards is no rest.
 std::string rest_text(const NonlinearVerdict& verdict);
-
-/// Why a row has no verdict, in words.
-std::string reason_text(Reason reason);
-
-/// Why a verdict is open, in its own words where it has some; empty where nothing is open.
-std::string reason_text(const NonlinearVerdict& verdict);
 
 }  // namespace stickslip

@@ -15,6 +15,7 @@
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/open_text.h"
+#include "sweep/words/reason_text.h"
 #include "sweep/words/robot_text.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/set_point_text.h"

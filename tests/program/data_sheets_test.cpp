@@ -284,5 +284,5 @@ TEST_CASE("margins of a set point say that it does not slide", "[program][sheets
                         "= 0 is a set point") &&
                    !Contains("boundary at"));
     const auto far = stickslip("margins '" + folder.write("far.toml", carriage) + "'");
-    CHECK_THAT(far.output, Contains("none within ×10"));
+    CHECK_THAT(far.output, Contains("no boundary within ×10"));
 }

@@ -42,8 +42,9 @@ class NearestSearch {
     NearestBoundary run()
     {
         decide();
+        if (!result_.decided) return result_;
         result_.distance = options_.reach;
-        if (!result_.decided || n_ == 0) return result_;
+        if (n_ == 0) return result_;
         std::vector<Vector> starts = options_.starts;
         const bool further = !options_.along_starts_only;
         for (std::size_t i = 0; further && i < n_; ++i)
@@ -264,6 +265,13 @@ double default_reach(const std::vector<Coordinate>& coordinates)
     double least = infinity;
     for (const auto& c : coordinates) least = std::min(least, c.scale);
     return std::numbers::ln10 / least;
+}
+
+double tolerance_each(double distance, const std::vector<Coordinate>& coordinates)
+{
+    double squares = 0;
+    for (const auto& c : coordinates) squares += 1 / (c.scale * c.scale);
+    return -std::expm1(-(squares > 0 ? distance / std::sqrt(squares) : distance));
 }
 
 std::string NearestOptions::problem() const

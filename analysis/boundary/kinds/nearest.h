@@ -38,6 +38,10 @@ double default_reach(const std::vector<Coordinate>& coordinates);
 /// distance of nearest_boundary, negative for an unstable joint; `reach` where there is none within it.
 double signed_margin(const NearestBoundary& nearest);
 
+/// Share by which each of these may be off, all at once and in any direction, within a distance: 1 − exp(−d/√Σ
+/// 1/scale²).
+double tolerance_each(double distance, const std::vector<Coordinate>& coordinates);
+
 enum class UncertaintyShape { box, ellipsoid };
 
 /// Shares by which coordinates may be off: value · (1 ± share). The ellipsoid touches the box in its axes.

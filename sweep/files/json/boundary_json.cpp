@@ -5,7 +5,6 @@
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

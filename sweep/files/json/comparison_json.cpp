@@ -7,7 +7,6 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/design_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 namespace stickslip {
 namespace {

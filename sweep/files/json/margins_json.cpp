@@ -1,9 +1,9 @@
 #include "sweep/files/json/margins_json.h"
 
 #include "sweep/files/json/nearest_json.h"
+#include "sweep/files/json/verdict_json.h"
 #include "sweep/words/margins_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 namespace stickslip {
 
@@ -11,7 +11,9 @@ nlohmann::ordered_json margins_json(const MarginsAnswer& a)
 {
     nlohmann::ordered_json json = {{"format", "stickslip margins 1"}, {"title", a.title}};
     json["answer"] = plain_text(margins_text(a));
+    json["reason_code"] = code_json(a.reason);
     json["nearest"] = nearest_json(a.nearest);
+    json["tolerance_each"] = json_number(a.tolerance_each);
     json["alone"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < a.alone.size(); ++i) {
         const auto& c = a.alone_of[i];
@@ -25,7 +27,7 @@ nlohmann::ordered_json margins_json(const MarginsAnswer& a)
     if (a.worst) {
         json["worst_case"] = {{"shape", a.uncertainty.shape == UncertaintyShape::box ? "box" : "ellipsoid"},
                               {"stable", a.worst->instability < 0},
-                              {"spectral_abscissa", a.worst->instability},
+                              {"spectral_abscissa", json_number(a.worst->instability)},
                               {"deviations", a.worst->deviations},
                               {"evaluations", a.worst->evaluations}};
     }

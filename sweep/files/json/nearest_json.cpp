@@ -1,5 +1,7 @@
 #include "sweep/files/json/nearest_json.h"
 
+#include "sweep/files/json/verdict_json.h"
+
 #include <nlohmann/json.hpp>
 
 namespace stickslip {
@@ -7,7 +9,7 @@ namespace stickslip {
 nlohmann::ordered_json nearest_json(const NearestBoundary& n)
 {
     nlohmann::ordered_json json = {{"decided", n.decided}, {"stable", n.stable}, {"found", n.found}};
-    json["distance"] = n.distance;
+    json["distance"] = json_number(n.distance);
     json["moves"] = nlohmann::ordered_json::array();
     for (const auto& m : n.moves)
         json["moves"].push_back({{"path", m.less.empty() ? m.path : m.path + " - " + m.less},

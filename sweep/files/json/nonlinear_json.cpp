@@ -3,7 +3,7 @@
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/study/spec.h"
 #include "sweep/words/detail_text.h"
-#include "sweep/words/verdict_text.h"
+#include "sweep/words/reason_text.h"
 
 namespace stickslip {
 namespace {

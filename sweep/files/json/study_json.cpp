@@ -2,7 +2,6 @@
 
 #include "sweep/words/plain_text.h"
 #include "sweep/words/study_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <cmath>
 

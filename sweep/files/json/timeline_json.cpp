@@ -4,7 +4,6 @@
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/timeline_text.h"
-#include "sweep/words/verdict_text.h"
 
 namespace stickslip {
 

@@ -1,8 +1,8 @@
 #include "sweep/files/json/verdict_json.h"
 
 #include "sweep/words/loop_text.h"
+#include "sweep/words/reason_text.h"
 #include "sweep/words/study_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <cmath>
 

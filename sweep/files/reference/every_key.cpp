@@ -110,7 +110,7 @@ class Collection {
         }
     }
 
-    /// Takes the keys that are new, each behind the one before it in its file. The paths of all.
+    /// Takes the keys that are new, each behind the one before it in its file. Returns the paths of all keys found.
     Paths note(const std::vector<Key>& found)
     {
         Paths paths;

@@ -22,7 +22,6 @@
 #include "sweep/study/boundary_charts.h"
 #include "sweep/words/boundary_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

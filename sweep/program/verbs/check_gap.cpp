@@ -14,7 +14,6 @@
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,6 @@
 #include "sweep/report/write_report.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

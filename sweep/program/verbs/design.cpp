@@ -21,7 +21,6 @@
 #include "sweep/report/pages/design_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 
@@ -107,9 +106,10 @@ int design(const Options& options, const Invocation& invocation)
         line->stage("the nearest boundary of these gains");
         Joint best = answer.joint;
         best.control.k_p = answer.design.best.k_p, best.control.k_v = answer.design.best.k_v;
-        const auto& uncertain = answer.requirements.uncertain;
-        answer.nearest =
-            nearest_boundary(best, uncertain.empty() ? friction_coordinates(best) : uncertain, affordable_search(best));
+        answer.uncertain =
+            answer.requirements.uncertain.empty() ? friction_coordinates(best) : answer.requirements.uncertain;
+        answer.nearest = nearest_boundary(best, answer.uncertain, affordable_search(best));
+        answer.margin_tolerance = tolerance_each(answer.design.best.margin, answer.uncertain);
         if (!options.directory.empty()) {  // only the page shows them
             line->stage("what its page draws");
             answer.map = map_of_choices(answer, best);

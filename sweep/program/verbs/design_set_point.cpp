@@ -25,7 +25,6 @@
 #include "sweep/study/set_point_scan.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/set_point_design_text.h"
-#include "sweep/words/verdict_text.h"
 
 namespace stickslip {
 namespace {

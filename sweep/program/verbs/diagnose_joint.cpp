@@ -19,7 +19,6 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/refusal_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

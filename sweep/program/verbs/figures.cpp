@@ -4,7 +4,6 @@
 #include "sweep/report/pages/figures_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -17,7 +17,6 @@
 #include "sweep/report/write_report.h"
 #include "sweep/study/robust_set.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 
@@ -71,16 +70,6 @@ MarginsAnswer answered(const Options& options, const std::string& command)
     return answer;
 }
 
-void print_text(const MarginsAnswer& answer)
-{
-    fmt::print("{}\n", plain_text(margins_text(answer)));
-    for (const auto& row : alone_table(answer).rows)
-        fmt::print("  {:<24} {:>16}  boundary at {:<18} {}\n", plain_text(row[0]), plain_text(row[1]),
-                   plain_text(row[2]), plain_text(row[3]));
-    if (answer.robust)
-        fmt::print("robust boundary: {} pieces, {} points\n", answer.robust->pieces.size(), answer.robust->points());
-}
-
 int margins(const Options& options, const Invocation& invocation)
 {
     const ThreadLimit limit(options.threads);
@@ -89,7 +78,7 @@ int margins(const Options& options, const Invocation& invocation)
     if (options.json)
         fmt::print("{}\n", json.dump(2));
     else
-        print_text(answer);
+        fmt::print("{}\n{}", plain_text(margins_text(answer)), alone_lines(answer));
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
         const auto page = write_report(margins_report(answer), options.directory);
@@ -115,7 +104,7 @@ void add_margins(CommandLine& line, Invocation& invocation)
     verb.add_option("--over", options->over,
                     "two axes over which the robustly stable set is followed: PATH or PATH=FROM..TO")
         ->expected(2);
-    verb.add_option("--guard", options->guard, "cells along each axis of the guarding grid")
+    verb.add_option("--guard", options->guard, "cells along each axis of the grid that searches for further pieces")
         ->check(whole_between(2, 512))
         ->capture_default_str();
     verb.add_option("-o,--output", options->directory, "write margins.json and report.html here");

@@ -6,7 +6,6 @@
 #include "sweep/program/verbs/say.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 namespace stickslip {
 

@@ -25,7 +25,6 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <fmt/os.h>

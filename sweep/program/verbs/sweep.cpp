@@ -22,6 +22,7 @@
 #include "sweep/report/write_report.h"
 #include "sweep/study/evaluate_points.h"
 #include "sweep/words/plain_text.h"
+#include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "sweep/program/verbs/terminal.h"
 
 #include "sweep/words/plain_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

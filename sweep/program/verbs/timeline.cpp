@@ -13,7 +13,6 @@
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/timeline_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
 

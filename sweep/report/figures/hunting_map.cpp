@@ -1,9 +1,8 @@
 #include "sweep/report/figures/hunting_map.h"
 
 #include "analysis/results/text.h"
-#include "sweep/report/figures/curve_margins.h"
 #include "sweep/report/figures/map_figures.h"
-#include "sweep/words/verdict_text.h"
+#include "sweep/report/figures/meeting_headlines.h"
 
 #include <algorithm>
 #include <array>

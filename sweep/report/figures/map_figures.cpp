@@ -31,19 +31,6 @@ double share_of(const Slice& slice, std::initializer_list<Region> regions)
     return sum;
 }
 
-/// `rests`: what does not slide on comes to rest for good.
-std::string design_words(const DesignPoint& design, bool rests)
-{
-    if (design.region == Region::bistable)
-        return std::string("The design is stable for small disturbances only: a larger one ") +
-               (rests ? "leaves it at rest for good." : "ends in stick-slip.");
-    if (design.region == Region::undecided) return "The design is undecided.";
-    if (design.region == Region::neutral) return "The design is neutral: small disturbances neither decay nor grow.";
-    return design.spectral_abscissa < 0 ? "The design slides smoothly."
-           : rests                      ? "The design comes to rest for good."
-                                        : "The design sticks and slips.";
-}
-
 std::string held_words(const Slice& slice, Units units)
 {
     return slice.held.empty() ? "" : " Held: " + held_text(slice.held, units) + ".";
@@ -156,7 +143,7 @@ Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool
                      " of it only the model with memory predicts this, and on " + missed +
                      " the velocity-only model wrongly predicts smooth sliding. " +
                      (bistable > 0 ? percent(bistable) + " is bistable. " : "") +
-                     design_words(map.design, design_rests);
+                     design_point_text(map.design.region, map.design.spectral_abscissa, design_rests);
     figure.caption =
         "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Two models of the "
         "same friction are compared. Solid: boundary with memory (state-variable friction). Dashed: boundary of the "

@@ -1,9 +1,9 @@
 #include "sweep/report/pages/boundary_report.h"
 
 #include "analysis/results/text.h"
-#include "sweep/report/figures/curve_margins.h"
 #include "sweep/report/figures/hunting_map.h"
 #include "sweep/report/figures/map_figures.h"
+#include "sweep/report/figures/meeting_headlines.h"
 #include "sweep/study/beyond_curves.h"
 #include "sweep/words/heading_text.h"
 #include "sweep/words/set_point_text.h"

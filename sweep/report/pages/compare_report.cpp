@@ -4,7 +4,6 @@
 #include "analysis/results/text.h"
 #include "sweep/report/figures/compare_maps.h"
 #include "sweep/report/pages/first_screen.h"
-#include "sweep/words/verdict_text.h"
 
 #include <algorithm>
 #include <cmath>

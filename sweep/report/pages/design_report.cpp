@@ -5,7 +5,6 @@
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/words/heading_text.h"
 #include "sweep/words/nearest_text.h"
-#include "sweep/words/verdict_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ std::vector<Headline> headlines(const DesignAnswer& a, const DesignUnits& u)
         list.push_back(
             {r.met ? Tone::good : Tone::bad, requirement_value(r, r.achieved, a, u),
              (r.name == "margin" ? "margin: " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
-                                       all_at_once(r.achieved, scales_of(a)) + " at once; required: at least "
+                                       off_text(a.margin_tolerance) + " at once; required: at least "
                                  : requirement_name(r.name) + "; required: at most ") +
                  requirement_value(r, r.specified, a, u)});
     return list;

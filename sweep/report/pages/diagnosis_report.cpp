@@ -22,55 +22,10 @@ namespace {
 
 using Tone = Headline::Tone;
 
-/// What a machine must bear to follow the motion.
-std::string reach_text(const NextExperiment& e, Units units)
-{
-    const auto [low, high] = std::minmax_element(e.reference.begin(), e.reference.end());
-    double fastest = 0, hardest = 0;
-    for (std::size_t k = 1; k + 1 < e.reference.size(); ++k) {
-        const double before = (e.reference[k] - e.reference[k - 1]) / (e.time[k] - e.time[k - 1]),
-                     behind = (e.reference[k + 1] - e.reference[k]) / (e.time[k + 1] - e.time[k]);
-        fastest = std::max(fastest, std::abs(behind));
-        hardest = std::max(hardest, std::abs(behind - before) / (e.time[k + 1] - e.time[k]));
-    }
-    return fmt::format(
-        "It moves between {} and {}, with at most {} and {}, and takes {}. Before running it, check that the machine "
-        "is free over that stroke and may move that fast; the program knows only the records.",
-        with_unit(*low, Quantity::position, units), with_unit(*high, Quantity::position, units),
-        with_unit(fastest, Quantity::velocity, units),
-        with_error(hardest, 0, units.motion == Motion::revolute ? "rad/s²" : "m/s²"),
-        with_unit(e.time.back() - e.time.front(), Quantity::time, units));
-}
-
 Section next_section(const Diagnosis& d)
 {
-    const auto& e = d.next_experiment;
-    Section next{"next", "Next experiment", "", {}, {}};
-    if (e.motion == TestMotion::none || e.separates.empty()) {
-        next.text = d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
-                        ? "No causes remain to be distinguished."
-                        : "No motion was found that would distinguish the named causes.";
-        return next;
-    }
-    constexpr double beyond_doubt = 100, seen = 1;
-    const auto& [one, two] = e.separates[0];
-    if (e.distance < seen) {
-        next.text = fmt::format(
-            "No motion that was tried would distinguish {} from {}: with the fitted parameters, even along {} they "
-            "differ by only {:.1g} noise standard deviations. For a simulation either will do.",
-            one, two, motion_text(e.motion), e.distance);
-        return next;
-    }
-    next.text = fmt::format("Move along {}: there {} and {} differ by {}.", motion_text(e.motion), one, two,
-                            e.distance > beyond_doubt ? std::string("more than a hundred noise standard deviations")
-                                                      : fmt::format("{:.1f} noise standard deviations", e.distance));
-    if (!e.reference.empty()) {
-        next.text +=
-            " The reference is next-experiment.csv beside this page: continuous, from rest to rest, within the "
-            "stroke and the speed that the records show; its acceleration is given below. " +
-            reach_text(e, Units(d.motion));
-        next.figures.push_back(experiment_figure(d));
-    }
+    Section next{"next", "Next experiment", next_experiment_text(d), {}, {}};
+    if (has_motion(d.next_experiment)) next.figures.push_back(experiment_figure(d));
     return next;
 }
 

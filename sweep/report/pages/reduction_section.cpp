@@ -40,13 +40,6 @@ std::string boundaries_text(const std::vector<double>& values, Quantity quantity
     return text.empty() ? "none" : text;
 }
 
-std::string error_text(double error)
-{
-    return std::isnan(error)   ? "nothing to compare"
-           : std::isinf(error) ? "different number of boundaries"
-                               : percent(error);
-}
-
 /// The i-th boundary of every value, missing where there are fewer.
 std::vector<double> boundary_line(const ReductionStudy& study, std::vector<double> ReductionError::*side, std::size_t i)
 {
@@ -85,15 +78,15 @@ Figure boundary_figure(const Joint& joint, const ReductionStudy& study, const st
         chart.lines.push_back({most_reduced > 1 ? "reduced, boundary " + std::to_string(i + 1) : "reduced",
                                study.values, boundary_line(study, &ReductionError::reduced, i), true});
     chart.x_marks.emplace_back("here", moved.value);
-    return line_figure(
-        id, std::move(chart),
-        std::isfinite(study.own.error)
-            ? "The reduction to " + study.model + " moves the boundary of this joint by " +
-                  error_text(study.own.error) + "."
-            : "The reduction to " + study.model + " at this joint's own values: " + error_text(study.own.error) + ".",
-        "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
-            boundary.symbol + "; a line ends where there is none " +
-            range_text(study.searched_low, study.searched_high, boundary.quantity, units) + ".");
+    return line_figure(id, std::move(chart),
+                       std::isfinite(study.own.error)
+                           ? "The reduction to " + study.model + " moves the boundary of this joint by " +
+                                 reduction_error_text(study.own.error) + "."
+                           : "The reduction to " + study.model +
+                                 " at this joint's own values: " + reduction_error_text(study.own.error) + ".",
+                       "Solid: the full joint. Dashed: the reduced one. A boundary is where stability changes along " +
+                           boundary.symbol + "; a line ends where there is none " +
+                           range_text(study.searched_low, study.searched_high, boundary.quantity, units) + ".");
 }
 
 Figure error_figure(const Joint& joint, const ReductionStudy& study, const std::string& id)
@@ -159,7 +152,7 @@ Section reduction_section(const Joint& joint, const std::vector<ReductionStudy>&
             {study.name, study.assumption,
              boundary.symbol + " = " + boundaries_text(study.own.full, boundary.quantity, units),
              boundary.symbol + " = " + boundaries_text(study.own.reduced, boundary.quantity, units),
-             error_text(study.own.error),
+             reduction_error_text(study.own.error),
              study.values.empty() ? "exact" : good_text(study, named(joint, study.assumption_path), units)});
         const bool drawn = std::any_of(study.at.begin(), study.at.end(),
                                        [](const auto& at) { return !at.full.empty() || !at.reduced.empty(); });

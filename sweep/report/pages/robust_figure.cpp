@@ -4,7 +4,6 @@
 #include "analysis/results/text.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/report/pages/boundary_report.h"
-#include "sweep/words/verdict_text.h"
 
 #include <algorithm>
 
@@ -24,7 +23,7 @@ double legend_place(RobustClass c)
         case RobustClass::no_verdict:
             break;
     }
-    return 5;
+    return 5;  // no_verdict: places 3 and 4 of the colours of classes stand for nothing here
 }
 
 }  // namespace

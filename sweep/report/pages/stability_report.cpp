@@ -11,6 +11,7 @@
 #include "sweep/report/pages/first_screen.h"
 #include "sweep/report/pages/linear_report.h"
 #include "sweep/words/nearest_text.h"
+#include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "analysis/stability/linear_joint.h"
 #include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/thinned_line.h"
-#include "sweep/report/pages/ending.h"
+#include "sweep/words/ending_text.h"
 #include "sweep/words/heading_text.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/verdict_text.h"
@@ -192,7 +192,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     }
     const bool forced = surroundings.linear || !surroundings.normal_load.value.empty();
     const auto last_third = range(settled(t, t.velocity), Quantity::velocity, units);
-    report.verdict = (forced ? "" : ending_words(verdict) + " ") + "In the last third of " +
+    report.verdict = (forced ? "" : ending_text(verdict) + " ") + "In the last third of " +
                      with_unit(t.time.back(), Quantity::time, units) + " the velocity stays " + last_third + ".";
     if (!forced) {
         report.tone = ending_tone(verdict);

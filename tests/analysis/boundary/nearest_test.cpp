@@ -132,6 +132,20 @@ TEST_CASE("along the velocity a sampled loop around delayed friction changes sid
     CHECK(side(1.0001) == !nearest.stable);
 }
 
+TEST_CASE("parameters that are off by the tolerance, each in its worst direction, are at most the distance away",
+          "[boundary][nearest]")
+{
+    const double d = std::log(1.5);
+    for (const auto& coordinates :
+         {std::vector<Coordinate>{{"friction.L", ""}}, {{"friction.B", "friction.A", 0.1}, {"friction.L", "", 0.4}}}) {
+        const double each = tolerance_each(d, coordinates);
+        double squares = 0;
+        for (const auto& c : coordinates) squares += std::pow(std::log1p(-each) / c.scale, 2);
+        CHECK(std::sqrt(squares) == Approx(d).epsilon(1e-12));
+        CHECK(std::abs(std::log1p(each)) < std::abs(std::log1p(-each)));  // upwards is nearer
+    }
+}
+
 TEST_CASE("no boundary within reach is said", "[boundary][nearest]")
 {
     const Joint joint = slow_joint(5e6);

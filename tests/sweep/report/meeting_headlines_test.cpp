@@ -1,5 +1,5 @@
 // What located points and curves say of the design, and how their brackets are drawn.
-#include "sweep/report/figures/curve_margins.h"
+#include "sweep/report/figures/meeting_headlines.h"
 #include "sweep/study/boundary_charts.h"
 
 #include "tests/analysis/simulation/joints.h"

@@ -10,7 +10,7 @@
 namespace stickslip {
 
 /// "Smooth: the disturbance decays." One sentence, mark-up.
-std::string ending_words(const NonlinearVerdict& verdict);
+std::string ending_text(const NonlinearVerdict& verdict);
 
 /// Good where the joint comes to slide, bad where it oscillates, a warning where nobody knows.
 Headline::Tone ending_tone(const NonlinearVerdict& verdict);

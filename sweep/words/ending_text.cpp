@@ -1,9 +1,8 @@
-#include "sweep/report/pages/ending.h"
+#include "sweep/words/ending_text.h"
 
 #include "analysis/results/text.h"
+#include "sweep/words/open_text.h"
 #include "sweep/words/verdict_text.h"
-
-#include <cmath>
 
 namespace stickslip {
 namespace {
@@ -18,7 +17,7 @@ bool oscillates(Outcome outcome)
 
 }  // namespace
 
-std::string ending_words(const NonlinearVerdict& v)
+std::string ending_text(const NonlinearVerdict& v)
 {
     const auto resting = [&] {
         return v.stick_fraction > 0 ? " It spends " + percent(v.stick_fraction) + " of each cycle " + rest_text(v) + "."
@@ -50,8 +49,7 @@ std::string ending_words(const NonlinearVerdict& v)
         case Outcome::not_asked:
             break;
     }
-    const auto why = reason_text(v);
-    return "How the motion ends is undecided" + (why.empty() ? "." : ": " + why + ".");
+    return open_ending_text(v);
 }
 
 Headline::Tone ending_tone(const NonlinearVerdict& v)

@@ -1,4 +1,4 @@
-#include "sweep/report/figures/curve_margins.h"
+#include "sweep/report/figures/meeting_headlines.h"
 
 #include "analysis/results/text.h"
 #include "analysis/results/unit_axis.h"

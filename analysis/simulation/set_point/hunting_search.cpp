@@ -93,9 +93,9 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
             s.method = SetPointMethod::event_driven;
             s.rests_nearby = none.rest_error > 0;
             if (std::abs(at(found)) < jump && std::abs(s.multiplier) < 1) return s;
-            if (const double largest = followed(motion, outer); largest > 0 && largest < infinity) {
+            if (const double swing = followed(motion, outer); swing > 0 && swing < infinity) {
                 s.asymmetric = true;
-                s.amplitude = largest;
+                s.amplitude = swing;
                 s.slip_time = s.stick_time = s.period = s.multiplier = missing;
                 return s;
             }

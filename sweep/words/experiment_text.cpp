@@ -2,6 +2,7 @@
 
 #include "analysis/results/text.h"
 #include "sweep/study/motion_reach.h"
+#include "sweep/words/cause_text.h"
 
 #include <fmt/format.h>
 

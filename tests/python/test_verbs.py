@@ -53,8 +53,8 @@ def test_simulate_is_a_data_frame():
 def test_a_record_has_units_those_of_the_drive_too():
     joint = {
         "joint": {"motion": "revolute", "inertia": 0.01},
-        "actuator": {"motor": {"resistance": 1.0, "torque_constant": 0.5, "back_emf": 0.5}},
-        "control": {"command": "voltage", "k_p": 40.0, "k_v": 1.0, "period": 1e-3, "V0": 1.0, "velocity_estimate": "measured"},
+        "actuator": {"kind": "dc-motor", "k_t": 0.5, "k_e": 0.5, "resistance": 1.0},
+        "control": {"k_p": 40.0, "k_v": 1.0, "period": 1e-3, "V0": 1.0, "velocity_estimate": {"form": "backward-difference"}},
         "friction": {"law": "coulomb-viscous", "coulomb": 0.1, "viscous": 0.01},
     }
     time = numpy.linspace(0, 1, 101)

@@ -23,17 +23,22 @@ constexpr int most_restarts = 5;
 
 }  // namespace
 
-SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
-    : flow_(flow.copy()), solver_(solver), rtol_(rtol)
+SlidingMotion::Roles::Roles(Flow& flow)
+    : switching(dynamic_cast<SwitchingFlow*>(&flow)), delayed(dynamic_cast<DelayedFlow*>(&flow))
 {
-    delayed_ = dynamic_cast<DelayedFlow*>(flow_.get());
-    if (delayed_) solver_ = Solver::rodas5p;
-    stepper_ = stepper(solver_, rtol_);
-    auto* sliding = dynamic_cast<SlidingFlow*>(flow_.get());
-    if (sliding && sliding->sticks()) mutable_flow_ = sliding;
-    switching_ = dynamic_cast<SwitchingFlow*>(flow_.get());
-    events_.count = mutable_flow_ ? 3 : switching_ ? 2 + switching_->switches() : 2;
-    if (mutable_flow_) {  // V may vanish and reverse: straight measures
+    auto* sliding = dynamic_cast<SlidingFlow*>(&flow);
+    if (sliding && sliding->sticks()) sticking = sliding;
+}
+
+SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
+    : flow_(flow.copy()),
+      as_(*flow_),
+      solver_(as_.delayed ? Solver::rodas5p : solver),
+      rtol_(rtol),
+      stepper_(stepper(solver_, rtol_))
+{
+    events_.count = as_.sticking ? 3 : as_.switching ? 2 + as_.switching->switches() : 2;
+    if (as_.sticking) {  // V may vanish and reverse: straight measures
         events_.values = [this](const FlowVector& y, double* values) {
             const double speed = flow_->velocity(y) / flow_->commanded_velocity();
             values[section] = speed - 1;
@@ -45,7 +50,7 @@ SlidingMotion::SlidingMotion(const Flow& flow, Solver solver, double rtol)
         events_.values = [this, threshold](const FlowVector& y, double* values) {
             values[section] = flow_->speed_measure(y);
             values[slow] = values[section] - threshold;
-            if (switching_) switching_->switch_values(y, values + rest);
+            if (as_.switching) as_.switching->switch_values(y, values + rest);
         };
     }
 }
@@ -54,20 +59,15 @@ void SlidingMotion::start(const FlowVector& y, double t)
 {
     y_ = y;
     t_ = t;
-    rest_time_ = 0;
-    release_position_ = missing;
-    sticks_ = 0;
-    stuck_ = became_slow_ = false;
-    bounces_ = 0;
-    release_excess_ = SlidingFlow::least_excess;
+    rest_ = {};
     stepper_ = stepper(solver_, rtol_);
-    idle_switches_ = 0;
-    if (delayed_) delayed_->begin(y_);
-    if (switching_) switching_->enter(y_);
-    if (mutable_flow_ && y_[1] == 0) {
+    effort_.idle_switches = 0;
+    if (as_.delayed) as_.delayed->begin(y_);
+    if (as_.switching) as_.switching->enter(y_);
+    if (as_.sticking && y_[1] == 0) {
         arrive_at_rest();
     } else {
-        if (mutable_flow_) mutable_flow_->branch = y_[1] > 0 ? Branch::forward : Branch::reverse;
+        if (as_.sticking) as_.sticking->branch = y_[1] > 0 ? Branch::forward : Branch::reverse;
         restart();
     }
     notify();
@@ -76,12 +76,12 @@ void SlidingMotion::start(const FlowVector& y, double t)
 void SlidingMotion::surround(double force, double normal_load)
 {
     flow_->surround(force, normal_load);
-    idle_switches_ = 0;
-    if (stuck_) {
+    effort_.idle_switches = 0;
+    if (rest_.stuck) {
         arrive_at_rest();
     } else {
-        if (switching_) switching_->enter(y_);
-        if (delayed_) delayed_->note_kink(y_);
+        if (as_.switching) as_.switching->enter(y_);
+        if (as_.delayed) as_.delayed->note_kink(y_);
         restart();
     }
     notify();
@@ -89,15 +89,15 @@ void SlidingMotion::surround(double force, double normal_load)
 
 void SlidingMotion::restart()
 {
-    clock_ = t_;
-    steps_of_clock_ = 0;
+    clock_.zero = t_;
+    clock_.steps = 0;
     rate_known_ = false;
     stepper_->start(*flow_, 0, y_, events_);
 }
 
 bool SlidingMotion::step_failed()
 {
-    if (t_ > clock_ && ++restarts_ <= most_restarts) {
+    if (t_ > clock_.zero && ++effort_.restarts <= most_restarts) {
         restart();
         return false;
     }
@@ -116,13 +116,13 @@ bool SlidingMotion::fall_back()
 
 void SlidingMotion::notify()
 {
-    if (observer_) observer_({t_, y_, stuck_ ? 0.0 : flow_->velocity(y_), stuck_, *flow_});
+    if (observer_) observer_({t_, y_, rest_.stuck ? 0.0 : flow_->velocity(y_), rest_.stuck, *flow_});
 }
 
 Turn SlidingMotion::turn(double t_end, const std::function<bool(const FlowVector&)>& settled)
 {
-    steps_left_ = work::steps_of_turn;
-    patience_left_ = work::multistep_steps_of_turn;
+    effort_.steps_left = work::steps_of_turn;
+    effort_.patience_left = work::multistep_steps_of_turn;
     return run(t_end, settled);
 }
 
@@ -130,9 +130,9 @@ Turn SlidingMotion::run(double t_end, const std::function<bool(const FlowVector&
 {
     Turn turn = begun_turn();
     for (;;) {
-        if (rests_ > work::rests_of_turn || --steps_left_ < 0) return finished(turn, Turn::End::failure);
-        if (--patience_left_ < 0 && !stuck_) fall_back();
-        if (stuck_) {
+        if (rest_.rests > work::rests_of_turn || --effort_.steps_left < 0) return finished(turn, Turn::End::failure);
+        if (--effort_.patience_left < 0 && !rest_.stuck) fall_back();
+        if (rest_.stuck) {
             if (!stick(t_end)) return finished(turn, Turn::End::held);
             turn.position_min = std::min(turn.position_min, y_[0]);
             turn.velocity_min = std::min(turn.velocity_min, 0.0);
@@ -150,44 +150,45 @@ std::optional<Turn::End> SlidingMotion::slide(double t_end, const std::function<
 {
     const double from = stepper_->time();
     const FlowVector before = y_;
-    const double limit = delayed_ ? std::min(t_end, t_ + delayed_->step_limit(y_) - delayed_->clock(y_)) : t_end;
+    const double limit =
+        as_.delayed ? std::min(t_end, t_ + as_.delayed->step_limit(y_) - as_.delayed->clock(y_)) : t_end;
     ++turn.steps;
-    auto report = stepper_->step(limit - clock_);
+    auto report = stepper_->step(limit - clock_.zero);
     if (report.end == StepEnd::failure) {
         if (step_failed()) return Turn::End::failure;
         return {};
     }
-    t_ = report.end == StepEnd::time ? limit : clock_ + stepper_->time();
+    t_ = report.end == StepEnd::time ? limit : clock_.zero + stepper_->time();
     y_ = stepper_->state();
     double to = stepper_->time();
     const auto touch = to > from ? touched(from, before) : std::nullopt;
     if (touch && touch->time < to) {
         report = {StepEnd::event, touch->event, -1};
-        to = touch->time, t_ = clock_ + to, y_ = stepper_->at(to);
+        to = touch->time, t_ = clock_.zero + to, y_ = stepper_->at(to);
     }
-    if (delayed_) delayed_->remember(before, y_, [&](double f) { return stepper_->at(from + f * (to - from)); });
-    if (to > from) idle_switches_ = 0;
-    if (steps_of_clock_ > settled_steps) restarts_ = 0;
-    const bool at_rest = mutable_flow_ && report.end == StepEnd::event && report.event == rest;
+    if (as_.delayed) as_.delayed->remember(before, y_, [&](double f) { return stepper_->at(from + f * (to - from)); });
+    if (to > from) effort_.idle_switches = 0;
+    if (clock_.steps > settled_steps) effort_.restarts = 0;
+    const bool at_rest = as_.sticking && report.end == StepEnd::event && report.event == rest;
     if (at_rest) y_[1] = 0;
     measure_step(from, to, before, report, turn);
-    const bool switched = switching_ && report.end == StepEnd::event && report.event >= rest;
+    const bool switched = as_.switching && report.end == StepEnd::event && report.event >= rest;
     if (at_rest)
         arrive_at_rest();
     else if (switched && !pass_switch(report.event - rest))
         return Turn::End::failure;
-    else if (!switched && ++steps_of_clock_ > settled_steps && to - from < resolved_step * from)
+    else if (!switched && ++clock_.steps > settled_steps && to - from < resolved_step * from)
         restart();
     notify();
     if (report.end == StepEnd::event && report.event == section && report.direction < 0) return Turn::End::crossing;
     if (report.end == StepEnd::time && t_ >= t_end) return Turn::End::time;
-    if (settled && !stuck_ && settled(y_)) return Turn::End::settled;
+    if (settled && !rest_.stuck && settled(y_)) return Turn::End::settled;
     return {};
 }
 
 bool SlidingMotion::advance(double t_end, int most_steps)
 {
-    steps_left_ = patience_left_ = most_steps;
+    effort_.steps_left = effort_.patience_left = most_steps;
     while (t_ < t_end) {
         const auto end = run(t_end, {}).end;
         if (end == Turn::End::failure || end == Turn::End::held) return false;

@@ -81,28 +81,47 @@ class SlidingMotion {
     void measure_step(double from, double to, const FlowVector& before, const StepReport& report, Turn& turn);
     void notify();
 
+    /// The flow as what it may be beside a flow; null where it is not.
+    struct Roles {
+        SlidingFlow* sticking = nullptr;     ///< branches are switched
+        SwitchingFlow* switching = nullptr;  ///< several bodies may rest
+        DelayedFlow* delayed = nullptr;      ///< friction is delayed
+        explicit Roles(Flow& flow);
+    };
+    struct SolverClock {
+        double zero = 0;  ///< the instant that the solver counts from
+        int steps = 0;    ///< since it was started
+    };
+    /// Rests and near rests, of the present turn but for the last two.
+    struct Resting {
+        bool stuck = false;
+        bool became_slow = false;  ///< the last step ended where V fell below near_rest
+        double time = 0, released_at = missing;
+        int sticks = 0, rests = 0;
+        int bounces = 0;  ///< rests since the mass last moved faster than near_rest
+        double release_excess = SlidingFlow::least_excess;
+    };
+    struct Effort {
+        int steps_left = 0;     ///< of the present turn or advance
+        int patience_left = 0;  ///< with CVODE
+        int restarts = 0;
+        int idle_switches = 0;  ///< since time last moved on
+    };
+
     std::unique_ptr<Flow> flow_;
-    SlidingFlow* mutable_flow_ = nullptr;  ///< flow_, where branches are switched
-    SwitchingFlow* switching_ = nullptr;   ///< flow_, where several bodies may rest
-    DelayedFlow* delayed_ = nullptr;       ///< flow_, where friction is delayed
+    Roles as_;
     Events events_;
-    std::unique_ptr<Stepper> stepper_;
     Solver solver_;
     double rtol_;
-    double t_ = 0, clock_ = 0;  ///< now, and the instant that the solver counts from
-    int steps_of_clock_ = 0;    ///< since it was started
-    FlowVector rate_;           ///< at the end of the last step
-    bool rate_known_ = false;
+    std::unique_ptr<Stepper> stepper_;
+    bool used_fallback_ = false;
+    double t_ = 0;
     FlowVector y_;
-    bool stuck_ = false, used_fallback_ = false;
-    bool became_slow_ = false;  ///< the last step ended where V fell below near_rest
-    double rest_time_ = 0, release_position_ = missing;
-    int sticks_ = 0, rests_ = 0, restarts_ = 0;
-    int bounces_ = 0;  ///< rests since the mass last moved faster than near_rest
-    double release_excess_ = SlidingFlow::least_excess;
-    int steps_left_ = 0;     ///< of the present turn or advance
-    int patience_left_ = 0;  ///< with CVODE
-    int idle_switches_ = 0;  ///< since time last moved on
+    FlowVector rate_;  ///< at the end of the last step
+    bool rate_known_ = false;
+    SolverClock clock_;
+    Resting rest_;
+    Effort effort_;
     std::function<void(const Instant&)> observer_;
 };
 

@@ -28,15 +28,15 @@ static_assert(largest_launch < near_rest);
 
 void SlidingMotion::begin_slide(Branch branch)
 {
-    stuck_ = false;
-    mutable_flow_->branch = branch;
+    rest_.stuck = false;
+    as_.sticking->branch = branch;
     y_[1] = 0;
-    const double speed = mutable_flow_->V0 * std::min(resolved * rtol_, largest_launch);
+    const double speed = as_.sticking->V0 * std::min(resolved * rtol_, largest_launch);
     const double V = branch == Branch::forward ? speed : -speed;
-    const auto launch = mutable_flow_->steep() ? std::nullopt : break_away(*mutable_flow_, y_, V);
+    const auto launch = as_.sticking->steep() ? std::nullopt : break_away(*as_.sticking, y_, V);
     if (launch) {
         t_ += launch->time;
-        rest_time_ += launch->time;
+        rest_.time += launch->time;
         y_[0] = launch->x;
         y_[1] = V;
     }
@@ -45,14 +45,14 @@ void SlidingMotion::begin_slide(Branch branch)
 
 void SlidingMotion::arrive_at_rest()
 {
-    ++rests_;
+    ++rest_.rests;
     y_[1] = 0;
-    if (++bounces_ > 1) release_excess_ = std::min(largest_excess, release_excess_ * excess_growth);
-    const double needed = mutable_flow_->holding_force(y_[0]);
+    if (++rest_.bounces > 1) rest_.release_excess = std::min(largest_excess, rest_.release_excess * excess_growth);
+    const double needed = as_.sticking->holding_force(y_[0]);
     const auto side = needed > 0 ? Branch::forward : Branch::reverse;
-    if (std::abs(needed) < mutable_flow_->release_force(y_, side, release_excess_)) {
-        stuck_ = true;
-        ++sticks_;
+    if (std::abs(needed) < as_.sticking->release_force(y_, side, rest_.release_excess)) {
+        rest_.stuck = true;
+        ++rest_.sticks;
     } else {
         begin_slide(side);
     }
@@ -62,10 +62,10 @@ void SlidingMotion::arrive_at_rest()
 FlowVector SlidingMotion::after_rest(double time) const
 {
     FlowVector y = y_;
-    y[0] -= mutable_flow_->V0 * time;
-    if (!mutable_flow_->steep()) return y;
-    const States theta = rested(mutable_flow_->friction, mutable_flow_->states_of(y_), time);
-    for (int i = 0; i < mutable_flow_->states; ++i) y[2 + i] = theta[i];
+    y[0] -= as_.sticking->V0 * time;
+    if (!as_.sticking->steep()) return y;
+    const States theta = rested(as_.sticking->friction, as_.sticking->states_of(y_), time);
+    for (int i = 0; i < as_.sticking->states; ++i) y[2 + i] = theta[i];
     return y;
 }
 
@@ -73,16 +73,16 @@ FlowVector SlidingMotion::after_rest(double time) const
 /// one side. A contact that grows older holds longer, as its strength rises with the logarithm of time.
 double SlidingMotion::rest_duration() const
 {
-    const double rise = mutable_flow_->k_p * mutable_flow_->V0;
+    const double rise = as_.sticking->k_p * as_.sticking->V0;
     if (rise == 0) return infinity;
     const auto side = rise > 0 ? Branch::forward : Branch::reverse;
     const double sign = rise > 0 ? 1 : -1;
     const auto surplus = [&](const FlowVector& y) {
-        return sign * mutable_flow_->holding_force(y[0]) - mutable_flow_->release_force(y, side, release_excess_);
+        return sign * as_.sticking->holding_force(y[0]) - as_.sticking->release_force(y, side, rest_.release_excess);
     };
     const auto surplus_after = [&](double time) { return surplus(after_rest(time)); };
     const double at_once = -surplus(y_) / std::abs(rise);  // of a strength that stays
-    if (!mutable_flow_->steep()) return at_once;
+    if (!as_.sticking->steep()) return at_once;
     const double first = surplus_after(at_once);
     double longest = at_once, left = first;
     for (int k = 0; left < 0 && k < most_doublings; ++k) left = surplus_after(longest *= 2);
@@ -96,11 +96,11 @@ bool SlidingMotion::stick(double t_end)
     if (!(std::isfinite(wait)) && !std::isfinite(t_end)) return false;
     const double until = std::min(t_end, t_ + wait);
     y_ = after_rest(until - t_);
-    rest_time_ += until - t_;
+    rest_.time += until - t_;
     t_ = until;
     if (until < t_end) {
-        release_position_ = y_[0];
-        begin_slide(mutable_flow_->k_p > 0 ? Branch::forward : Branch::reverse);
+        rest_.released_at = y_[0];
+        begin_slide(as_.sticking->k_p > 0 ? Branch::forward : Branch::reverse);
     }
     return true;
 }
@@ -108,10 +108,10 @@ bool SlidingMotion::stick(double t_end)
 /// False where bodies stop and go for ever at one instant.
 bool SlidingMotion::pass_switch(int which)
 {
-    switching_->pass(which, y_);
-    if (switching_->anything_rests()) ++sticks_;
+    as_.switching->pass(which, y_);
+    if (as_.switching->anything_rests()) ++rest_.sticks;
     restart();
-    return ++idle_switches_ < most_idle_switches;
+    return ++effort_.idle_switches < most_idle_switches;
 }
 
 }  // namespace stickslip

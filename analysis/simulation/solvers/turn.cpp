@@ -24,12 +24,12 @@ Turn SlidingMotion::begun_turn()
     Turn turn;
     turn.t0 = t_;
     turn.start = y_;
-    turn.velocity_min = turn.velocity_max = stuck_ ? 0 : flow_->velocity(y_);
+    turn.velocity_min = turn.velocity_max = rest_.stuck ? 0 : flow_->velocity(y_);
     turn.position_min = turn.position_max = flow_->position(y_);
-    rest_time_ = 0;
-    rests_ = 0;
-    sticks_ = stuck_ || (switching_ && switching_->anything_rests()) ? 1 : 0;
-    release_position_ = missing;
+    rest_.time = 0;
+    rest_.rests = 0;
+    rest_.sticks = rest_.stuck || (as_.switching && as_.switching->anything_rests()) ? 1 : 0;
+    rest_.released_at = missing;
     return turn;
 }
 
@@ -37,7 +37,7 @@ void SlidingMotion::measure_step(double from, double to, const FlowVector& befor
 {
     const double V0 = flow_->commanded_velocity();
     double V = flow_->velocity(y_);
-    if (switching_ && std::abs(V) < at_rest_speed * V0) V = 0;  // where the link's switch lies
+    if (as_.switching && std::abs(V) < at_rest_speed * V0) V = 0;  // where the link's switch lies
     turn.velocity_min = std::min(turn.velocity_min, V);
     turn.velocity_max = std::max(turn.velocity_max, V);
     turn.position_min = std::min(turn.position_min, flow_->position(y_));
@@ -46,7 +46,7 @@ void SlidingMotion::measure_step(double from, double to, const FlowVector& befor
     if (!rate_known_) flow_->rate(before, r0);
     flow_->rate(y_, r1);
     rate_ = r1;
-    rate_known_ = !delayed_;  // its rate at one instant depends on the piece of its past
+    rate_known_ = !as_.delayed;  // its rate at one instant depends on the piece of its past
     const double h = to - from;
     const double m0 = flow_->speed_measure(before), m1 = flow_->speed_measure(y_);
     const double s0 = flow_->speed_gradient(before).dot(r0), s1 = flow_->speed_gradient(y_).dot(r1);
@@ -59,11 +59,11 @@ void SlidingMotion::measure_step(double from, double to, const FlowVector& befor
     // an event knows that the speed passed near_rest even where the root in time leaves a steep speed far from it
     const auto is_slow = [V0](double speed) { return speed <= near_rest * V0 * (1 + slow_event); };
     const bool slow_event_here = report.end == StepEnd::event && report.event == slow;
-    const bool begins_slow = became_slow_ || is_slow(flow_->velocity(before));
-    if (begins_slow && (is_slow(V) || (slow_event_here && report.direction > 0))) rest_time_ += h;
-    became_slow_ = slow_event_here && report.direction < 0;
+    const bool begins_slow = rest_.became_slow || is_slow(flow_->velocity(before));
+    if (begins_slow && (is_slow(V) || (slow_event_here && report.direction > 0))) rest_.time += h;
+    rest_.became_slow = slow_event_here && report.direction < 0;
     if (V < -reversal * V0) turn.reversed = true;
-    if (std::abs(V) > near_rest * V0) bounces_ = 0, release_excess_ = SlidingFlow::least_excess;
+    if (std::abs(V) > near_rest * V0) rest_.bounces = 0, rest_.release_excess = SlidingFlow::least_excess;
 }
 
 Turn SlidingMotion::finished(Turn turn, Turn::End end) const
@@ -73,9 +73,9 @@ Turn SlidingMotion::finished(Turn turn, Turn::End end) const
     // what rounding leaves of a rest is no motion backwards
     if (turn.velocity_min < 0 && turn.velocity_min > -rest_speed * flow_->commanded_velocity()) turn.velocity_min = 0;
     turn.state = y_;
-    turn.rest_time = rest_time_;
-    turn.sticks = sticks_;
-    turn.release_position = release_position_;
+    turn.rest_time = rest_.time;
+    turn.sticks = rest_.sticks;
+    turn.release_position = rest_.released_at;
     return turn;
 }
 

@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/symbols.h"
 #include "sweep/words/verdict_text.h"
@@ -83,7 +84,7 @@ std::string margins_text(const MarginsAnswer& a)
         text += " Without reaching it " + uncertain_numbers(a.nearest, units_of(a.joint)) + " may be off by " +
                 all_at_once(a.nearest.distance, scales_of(a)) + " each, all at once (distance " +
                 plain_number(a.nearest.distance) + ").";
-    return text + worst_text(a);
+    return text + worst_text(a) + loop_text(a.loop);
 }
 
 }  // namespace stickslip

@@ -1,6 +1,7 @@
 #include "sweep/files/json/margins_json.h"
 
 #include "sweep/files/json/nearest_json.h"
+#include "sweep/files/json/verdict_json.h"
 #include "sweep/words/margins_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/verdict_text.h"
@@ -11,6 +12,7 @@ nlohmann::ordered_json margins_json(const MarginsAnswer& a)
 {
     nlohmann::ordered_json json = {{"format", "stickslip margins 1"}, {"title", a.title}};
     json["answer"] = plain_text(margins_text(a));
+    json["loop"] = loop_json(a.loop);
     json["nearest"] = nearest_json(a.nearest);
     json["alone"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < a.alone.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/pages/robust_figure.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/verdict_text.h"
 
@@ -95,6 +96,11 @@ Report margins_report(const MarginsAnswer& a)
     report.tone = !a.nearest.decided              ? Headline::Tone::warning
                   : a.nearest.stable && !doubtful ? Headline::Tone::good
                                                   : Headline::Tone::bad;
+    report.tone = without_what_matters(report.tone, a.loop);
+    if (a.left_out) {
+        tell_left_out(*a.left_out, a.nearest.stable, report);
+        report.verdict = of_ideal_loop(report.verdict);
+    }
     if (a.nearest.decided) add_headlines(report, a);
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};
     if (a.robust_set) section.figures.push_back(robust_figure(a));

@@ -132,20 +132,25 @@ void tell_stopped_integral(const Control& c, LoopUse& loop)
 
 }  // namespace
 
+LoopUse verdict_loop(const Joint& described)
+{
+    auto loop = loop_use(without_stopped_integral(described));
+    if (integral_at_limit(described)) tell_stopped_integral(described.control, loop);
+    return loop;
+}
+
 LinearVerdict linear_verdict(const Joint& described)
 {
-    const bool stopped = integral_at_limit(described);
     const Joint joint = without_stopped_integral(described);
     LinearVerdict verdict;
-    verdict.loop = loop_use(joint);
-    if (stopped) tell_stopped_integral(described.control, verdict.loop);
+    verdict.loop = verdict_loop(described);
     verdict.steady = possible_sliding(described);  // what a stopped integral holds counts in the deflection
     if (verdict.steady.reason != Reason::none) return verdict;
     if (verdict.loop.kind != LoopKind::ideal) return real_verdict(joint, std::move(verdict));
     // a cascade without an integral, after the loop is known to be the ideal one
     if (joint.control.structure == Structure::cascade) {
         auto summed = linear_verdict(with_gains(joint));
-        if (stopped) tell_stopped_integral(described.control, summed.loop);
+        summed.loop = std::move(verdict.loop);
         summed.steady = verdict.steady;
         return summed;
     }

@@ -58,6 +58,9 @@ struct LinearVerdict {
 /// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason.
 LinearVerdict linear_verdict(const Joint& joint);
 
+/// Which loop that verdict is of, without the verdict: of the joint's loop, but for an integral that a limit stops.
+LoopUse verdict_loop(const Joint& joint);
+
 /// max Re s with memory alone, without the search for critical gains, which costs much where memory is a delay or a
 /// table. NaN where there is no verdict.
 double growth_rate(const Joint& joint);

@@ -1,9 +1,11 @@
 // Everything that one question about boundaries was answered with.
 #pragma once
 #include "analysis/joint/joint.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/boundary.h"
 #include "analysis/results/set_point.h"
 #include "sweep/study/hunting_field.h"
+#include "sweep/study/left_out_loop.h"
 #include "sweep/study/meetings.h"
 
 #include <optional>
@@ -22,7 +24,9 @@ struct BoundaryChart {
 struct BoundaryAnswer {
     std::string title, command;
     Joint design;
-    Region region = Region::undecided;  ///< of the design; bistable where a ray or a chart says so
+    LoopUse loop;                              ///< of the linear verdicts
+    std::optional<LeftOutLoop> left_out = {};  ///< with --ideal-loop
+    Region region = Region::undecided;         ///< of the design; bistable where a ray or a chart says so
     std::vector<LocatedRay> rays;
     std::vector<FollowedBoundary> curves;
     std::vector<Meeting> meetings = {};      ///< of the boundaries with the lines through the design

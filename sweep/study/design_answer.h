@@ -2,8 +2,10 @@
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/design/design.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/results/trajectory.h"
 #include "sweep/study/gain_chart.h"
+#include "sweep/study/left_out_loop.h"
 
 #include <optional>
 #include <string>
@@ -13,7 +15,9 @@ namespace stickslip {
 
 struct DesignAnswer {
     std::string title, command;
-    Joint joint;  ///< as given
+    Joint joint;                               ///< as given
+    LoopUse loop;                              ///< of the verdicts
+    std::optional<LeftOutLoop> left_out = {};  ///< with --ideal-loop
     Requirements requirements;
     GainDesign design;
     GainRange range{{missing, missing}, {missing, missing}};  ///< that was searched

@@ -25,14 +25,6 @@ std::optional<SetPoint> resting(const Joint& joint)
     return set_point(joint);
 }
 
-std::optional<LeftOutLoop> left_out(const Joint& described)
-{
-    auto loop = left_out_by_ideal(described);
-    if (loop.used.empty()) return std::nullopt;
-    const bool cascade = described.control.structure == Structure::cascade;
-    return LeftOutLoop{cascade ? with_gains(described) : described, std::move(loop), growth_rate(described)};
-}
-
 }  // namespace
 
 JointEvaluation evaluate_joint(const EvaluationQuestion& question, const std::function<void(EvaluationStage)>& at)
@@ -60,7 +52,7 @@ JointEvaluation evaluate_joint(const EvaluationQuestion& question, const std::fu
     e.near = near_modes(e.joint);
     e.contradicting = contradicting_terms(e.verdict, e.nonlinear);
     e.integral = integral_cost(e.joint, e.verdict);
-    if (question.ideal_loop) e.left_out = left_out(question.joint);
+    if (question.ideal_loop) e.left_out = left_out_loop(question.joint);
     return e;
 }
 

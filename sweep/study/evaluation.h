@@ -11,6 +11,7 @@
 #include "sweep/study/disturbed_motion.h"
 #include "sweep/study/gain_chart.h"
 #include "sweep/study/joint_answer.h"
+#include "sweep/study/left_out_loop.h"
 #include "sweep/study/open_verdict.h"
 #include "sweep/study/root_locus.h"
 
@@ -32,13 +33,6 @@ struct EvaluationQuestion {
 
 /// In their order.
 enum class EvaluationStage { linear, nonlinear, study, surroundings };
-
-/// The loop that an ideal one stands in place of, where the joint has another.
-struct LeftOutLoop {
-    Joint joint;  ///< as described; of a cascade with its sum of gains
-    LoopUse loop;
-    double growth = missing;  ///< max Re s of the joint as described; NaN where it has none
-};
 
 struct JointEvaluation {
     Joint joint;

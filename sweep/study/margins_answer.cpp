@@ -41,6 +41,7 @@ MarginsAnswer margins_of(const Joint& joint)
 {
     MarginsAnswer answer;
     answer.joint = joint;
+    answer.loop = verdict_loop(joint);
     auto coordinates = natural_coordinates(joint);
     answer.nearest = nearest_boundary(joint, coordinates, affordable_search(joint));
     if (!answer.nearest.decided) {

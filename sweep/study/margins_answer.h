@@ -1,6 +1,8 @@
 // How far a design is from its boundaries: in all directions at once, one parameter at a time, and at worst.
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
+#include "analysis/loop/loop_use.h"
+#include "sweep/study/left_out_loop.h"
 #include "sweep/study/samples.h"
 
 #include <optional>
@@ -34,7 +36,9 @@ struct RobustSet {
 struct MarginsAnswer {
     std::string title, command;
     Joint joint;
-    Reason reason = Reason::none;  ///< why it has no verdict, and so no margin
+    LoopUse loop;                              ///< of the verdicts
+    std::optional<LeftOutLoop> left_out = {};  ///< with --ideal-loop
+    Reason reason = Reason::none;              ///< why it has no verdict, and so no margin
     NearestBoundary nearest;
     double tolerance_each = missing;     ///< share by which all its parameters may be off at once without reaching it
     std::vector<NearestBoundary> alone;  ///< one parameter each

@@ -1,6 +1,7 @@
 #include "sweep/words/design_text.h"
 
 #include "analysis/stability/steady.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/nearest_text.h"
 
@@ -124,11 +125,11 @@ std::string design_verdict_text(const DesignAnswer& a)
     if (!d.decided)
         return low_limit(a.joint, commanded_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
                                                                : "No design: the joint has no steady sliding.";
-    if (!d.feasible) return infeasible_text(a, u);
+    if (!d.feasible) return infeasible_text(a, u) + loop_text(a.loop);
     std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
                        u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
                        " rms. ";
-    return text + nearest_text(a.nearest, units_of(a.joint)) + " " + cost_of_simple_thinking(a, u);
+    return text + nearest_text(a.nearest, units_of(a.joint)) + " " + cost_of_simple_thinking(a, u) + loop_text(a.loop);
 }
 
 std::string design_text(const DesignAnswer& a)

@@ -72,6 +72,14 @@ std::string left_out_text(const LoopUse& described, double growth)
                              : "sliding at this velocity is unstable.");
 }
 
+void tell_left_out(const LeftOutLoop& left_out, bool stable, Report& report)
+{
+    using Tone = Headline::Tone;
+    const bool same = (left_out.growth < 0) == stable;
+    report.alerts.push_back({same ? Tone::neutral : Tone::warning, left_out_text(left_out.loop, left_out.growth)});
+    if (!same && report.tone == Tone::good) report.tone = Tone::warning;
+}
+
 std::string of_ideal_loop(const std::string& verdict)
 {
     return "In the paper's ideal loop. " + verdict;
@@ -110,6 +118,11 @@ std::string left_out_text(const std::vector<std::string>& keys)
 bool leaves_out_what_matters(const LoopUse& loop)
 {
     return std::any_of(loop.not_used.begin(), loop.not_used.end(), [](const UnusedTerm& t) { return t.matters; });
+}
+
+Headline::Tone without_what_matters(Headline::Tone tone, const LoopUse& loop)
+{
+    return tone == Headline::Tone::good && leaves_out_what_matters(loop) ? Headline::Tone::warning : tone;
 }
 
 }  // namespace stickslip

@@ -1,6 +1,8 @@
 // Which loop a verdict is about, in words.
 #pragma once
 #include "analysis/loop/loop_use.h"
+#include "analysis/results/report.h"
+#include "sweep/study/left_out_loop.h"
 
 #include <string>
 #include <string_view>
@@ -21,6 +23,10 @@ std::string loop_text(const LoopUse& loop);
 /// rate, NaN where it has none.
 std::string left_out_text(const LoopUse& described, double growth);
 
+/// Of a page about the ideal loop, which calls sliding `stable`: names what was left out. Where the loop as it is does
+/// not slide, that is no clean yes.
+void tell_left_out(const LeftOutLoop& left_out, bool stable, Report& report);
+
 /// A verdict on the ideal loop of a joint whose file describes another: it begins with the loop that it is about.
 std::string of_ideal_loop(const std::string& verdict);
 
@@ -34,5 +40,6 @@ std::string left_out_text(const std::vector<std::string>& keys);
 
 /// Whether something that matters was left out: such a verdict is no clean yes.
 bool leaves_out_what_matters(const LoopUse& loop);
+Headline::Tone without_what_matters(Headline::Tone tone, const LoopUse& loop);  ///< a warning in place of good
 
 }  // namespace stickslip

@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/reason_text.h"
@@ -114,7 +115,7 @@ std::string margins_text(const MarginsAnswer& a)
         text += " The boundary is not reached as long as " + uncertain_numbers(a.nearest, units_of(a.joint)) +
                 " are off by at most " + off_text(a.tolerance_each) + " each (distance " +
                 plain_number(a.nearest.distance) + ").";
-    return text + worst_text(a);
+    return text + worst_text(a) + loop_text(a.loop);
 }
 
 }  // namespace stickslip

@@ -118,3 +118,15 @@ TEST_CASE("a simulated sweep along one axis draws its limit cycles", "[program][
     check_first_screen(page);
     CHECK_THAT(page, Contains("id=\"amplitude-k-p-k-p\"") && Contains("id=\"period-k-p-k-p\""));
 }
+
+TEST_CASE("V_min is one thing with one name on every page", "[program][pages]")
+{
+    Folder folder;
+    const auto file = folder.write("joint.toml", joint + gain_axis);
+    const auto one = page_of(folder, "evaluate '" + file + "'");
+    CHECK_THAT(one, Contains("V<sub>min</sub>: every faster velocity slides smoothly") &&
+                        Contains("slowest smooth velocity") && !Contains("least stable velocity"));
+    const auto boundary =
+        page_of(folder, "boundary '" + file + "' --kind v-min --over control.k_p control.V0=1e-5..1e-1");
+    CHECK_THAT(boundary, Contains("least velocity V<sub>min</sub>") && !Contains("least stable velocity"));
+}

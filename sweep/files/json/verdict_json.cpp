@@ -61,10 +61,7 @@ Json state_variable_json(const StateVariableVerdict& v)
             {"doubtful_omega", intervals_json(v.doubtful)}};
 }
 
-std::string_view kind_name(LoopKind kind)
-{
-    return kind == LoopKind::ideal ? "ideal" : kind == LoopKind::continuous ? "continuous" : "sampled";
-}
+}  // namespace
 
 Json loop_json(const LoopUse& loop)
 {
@@ -74,10 +71,8 @@ Json loop_json(const LoopUse& loop)
                           {"why", why_text(term.why)},
                           {"why_code", name_of(term.why)},
                           {"matters", term.matters}});
-    return {{"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
+    return {{"kind", loop_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
 }
-
-}  // namespace
 
 Json intervals_json(const std::vector<Interval>& list)
 {

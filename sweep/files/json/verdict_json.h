@@ -17,6 +17,9 @@ Json intervals_json(const std::vector<Interval>& list);
 /// The name of a reason as in results.nc; null for none.
 Json code_json(Reason reason);
 
+/// {"kind": …, "used": […], "not_used": [{"key", "why", "why_code", "matters"}]}
+Json loop_json(const LoopUse& loop);
+
 /// {"steady": …, "linear": {"velocity_only": …, "state_variable": …}}; without steady sliding "linear" is null and
 /// "reason" says why.
 Json verdict_json(const LinearVerdict& verdict);

@@ -2,6 +2,7 @@
 #include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/kinds/outside.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/files/json/boundary_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -131,7 +132,7 @@ void print_curve(const FollowedBoundary& c)
 int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
-    if (options.ideal_loop) leave_loop_out(asked);
+    const auto left_out = options.ideal_loop ? leave_loop_out(asked) : std::nullopt;
     say_no_sliding(options.input, options.settings, asked.design);
     const auto questions = boundary_questions(asked, options);
     const ThreadLimit limit(options.threads);
@@ -139,6 +140,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.design = asked.design;
+    answer.left_out = left_out;
+    answer.loop = verdict_loop(answer.design);
     for (const auto& question : questions)
         if (question.request.kind == BoundaryKind::hunting) answer.set_point = set_point(answer.design);
     const auto start = std::chrono::steady_clock::now();

@@ -1,4 +1,5 @@
 // stickslip check: do the boundaries still lie where they lay, and is the gap no worse than it was?
+#include "analysis/stability/verdict.h"
 #include "sweep/files/json/baseline_file.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
@@ -11,6 +12,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/check_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/words/loop_text.h"
 
 #include <fmt/format.h>
 
@@ -56,10 +58,12 @@ int check(const Options& options, const Invocation& invocation)
     for (const auto& c : changed) fmt::print("changed since the baseline: {}\n", changed_text(spec, c));
     if (!options.junit.empty()) write_junit(options.junit, spec.title, deviations);
     fmt::print("{} boundaries, {} out of tolerance, {} refined\n", deviations.size(), failed, refined);
-    if (!options.directory.empty())
-        fmt::print(
-            "report: {}\n",
-            write_report(check_report(spec, deviations, changed, invocation.command), options.directory).string());
+    const auto loop = verdict_loop(design_joint(spec));
+    if (const auto text = loop_text(loop); !text.empty()) fmt::print("{}\n", text.substr(1));
+    if (!options.directory.empty()) {
+        const auto report = check_report(spec, deviations, changed, loop, invocation.command);
+        fmt::print("report: {}\n", write_report(report, options.directory).string());
+    }
     if (failed)
         fmt::print("If the change is wanted: stickslip check {} {} --update\n", shell_word(options.spec),
                    shell_word(options.baseline));

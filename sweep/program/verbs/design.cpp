@@ -1,6 +1,8 @@
 // stickslip design: the best gains under requirements.
+#include "analysis/joint/gains.h"
 #include "analysis/simulation/simulate.h"
 #include "analysis/stability/frequency_search.h"
+#include "analysis/stability/verdict.h"
 #include "sweep/files/json/design_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
@@ -91,6 +93,7 @@ int design(const Options& options, const Invocation& invocation)
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.joint = asked.design;
+    answer.loop = verdict_loop(answer.joint);
     answer.requirements = read_requirements(options.input, described, options.requirements);
     const ThreadLimit limit(options.threads);
     set_search_effort(options.effort);
@@ -110,6 +113,11 @@ int design(const Options& options, const Invocation& invocation)
             answer.requirements.uncertain.empty() ? friction_coordinates(best) : answer.requirements.uncertain;
         answer.nearest = nearest_boundary(best, answer.uncertain, affordable_search(best));
         answer.margin_tolerance = tolerance_each(answer.design.best.margin, answer.uncertain);
+        if (options.ideal_loop) {
+            Joint real = described.control.structure == Structure::pid ? described : with_gains(described);
+            real.control.k_p = best.control.k_p, real.control.k_v = best.control.k_v;
+            answer.left_out = left_out_loop(real);
+        }
         if (!options.directory.empty()) {  // only the page shows them
             line->stage("what its page draws");
             answer.map = map_of_choices(answer, best);

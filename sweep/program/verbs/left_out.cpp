@@ -1,7 +1,6 @@
 #include "sweep/program/verbs/left_out.h"
 
 #include "analysis/loop/loop_use.h"
-#include "analysis/stability/verdict.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/words/loop_text.h"
 
@@ -14,19 +13,21 @@ void add_ideal_loop(Verb& verb, bool& ideal_loop)
 
 namespace {
 
-void say_left_out(const Joint& described)
+std::optional<LeftOutLoop> say_left_out(const Joint& described)
 {
-    const auto left_out = left_out_by_ideal(described);
-    if (!left_out.used.empty()) say("note: {}\n", left_out_text(left_out, growth_rate(described)));
+    auto left_out = left_out_loop(described);
+    if (left_out) say("note: {}\n", left_out_text(left_out->loop, left_out->growth));
+    return left_out;
 }
 
 }  // namespace
 
-void leave_loop_out(Asked& asked)
+std::optional<LeftOutLoop> leave_loop_out(Asked& asked)
 {
-    say_left_out(asked.design);
+    auto left_out = say_left_out(asked.design);
     asked.design = with_ideal_loop(asked.design);
     asked.spec.joint = with_ideal_loop(asked.spec.joint);
+    return left_out;
 }
 
 void leave_loop_out(Spec& spec)

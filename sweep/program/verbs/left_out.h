@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "sweep/files/toml/asked_axes.h"
+#include "sweep/study/left_out_loop.h"
 
 #include "sweep/program/verbs/command_line.h"
 
@@ -11,7 +12,7 @@ void add_ideal_loop(Verb& verb, bool& ideal_loop);
 
 /// Puts the ideal loop in place of the joint's own, and says to standard error which keys of the loop the answer is
 /// without, and whether the joint as described slides smoothly. Nothing where the joint has the ideal loop anyway.
-void leave_loop_out(Asked& asked);
+std::optional<LeftOutLoop> leave_loop_out(Asked& asked);
 void leave_loop_out(Spec& spec);
 
 }  // namespace stickslip

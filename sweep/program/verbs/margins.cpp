@@ -36,7 +36,7 @@ struct Options {
 MarginsAnswer answered(const Options& options, const std::string& command)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
-    if (options.ideal_loop) leave_loop_out(asked);
+    const auto left_out = options.ideal_loop ? leave_loop_out(asked) : std::nullopt;
     say_no_sliding(options.input, options.settings, asked.design);
     set_search_effort(options.effort);
     StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
@@ -44,6 +44,7 @@ MarginsAnswer answered(const Options& options, const std::string& command)
     auto answer = margins_of(asked.design);
     answer.title = asked.spec.title;
     answer.command = command;
+    answer.left_out = left_out;
     if (!options.uncertain.empty()) {
         answer.uncertainty = uncertainty_from(asked.design, options.uncertain);
         if (options.shape == "ellipsoid") answer.uncertainty.shape = UncertaintyShape::ellipsoid;

@@ -5,6 +5,7 @@
 #include "sweep/engine/run_directory.h"
 #include "sweep/engine/run_on_cluster.h"
 #include "sweep/files/json/sweep_answer_file.h"
+#include "sweep/files/json/verdict_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/embedded.h"
@@ -78,7 +79,7 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
 }
 
 /// What came of it, on standard output; `page` is empty where no report was requested.
-void tell(const Options& options, const SweepSummary& summary, double bound, const RunReport& run,
+void tell(const Options& options, const SweepSummary& summary, const LoopUse& loop, double bound, const RunReport& run,
           const std::string& answer, const std::filesystem::path& page)
 {
     if (options.json) {
@@ -88,6 +89,7 @@ void tell(const Options& options, const SweepSummary& summary, double bound, con
                                     {"undecided", summary.undecided},
                                     {"held", summary.held},
                                     {"interpolated", summary.interpolated},
+                                    {"loop", loop_json(loop)},
                                     {"results", absolute(run.results).string()},
                                     {"report", nullptr}};
         if (!page.empty()) json["report"] = absolute(page).string();
@@ -162,7 +164,7 @@ int sweep(const Options& options, Invocation& invocation)
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
-    tell(options, summary, spec.nonlinear.interpolation, run, answer, page);
+    tell(options, summary, verdict.loop, spec.nonlinear.interpolation, run, answer, page);
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 

@@ -23,7 +23,7 @@ std::string kind_words(BoundaryKind kind)
         case BoundaryKind::fold:
             return "fold of limit cycles";
         case BoundaryKind::v_min:
-            return "least stable velocity";
+            return "least velocity V_{min}";
         case BoundaryKind::hunting:
             return "boundary of hunting";
         case BoundaryKind::outcome:

@@ -6,6 +6,7 @@
 #include "sweep/report/figures/meeting_headlines.h"
 #include "sweep/study/beyond_curves.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/set_point_text.h"
 
 #include <fmt/format.h>
@@ -128,6 +129,11 @@ bool asks_of_set_points_only(const BoundaryAnswer& answer)
            std::all_of(answer.curves.begin(), answer.curves.end(), hunting);
 }
 
+bool slides_smoothly(Region region)
+{
+    return region == Region::stable || region == Region::memory_only || region == Region::bistable;
+}
+
 Tone set_point_tone(const SetPoint& s)
 {
     if (s.hunting == Hunting::undecided) return Tone::warning;
@@ -157,7 +163,14 @@ Report boundary_report(const BoundaryAnswer& answer)
     for (const auto& chart : answer.charts) add_figures(curves, answer, chart);
     if (!answer.curves.empty() && answer.charts.empty())
         report.alerts.push_back({Tone::warning, "Interrupted before the regions under the curves were computed."});
-    if (!set_points_only) report.tone = design_tone(answer.region), report.verdict = design_words(answer.region);
+    if (!set_points_only) {
+        report.tone = without_what_matters(design_tone(answer.region), answer.loop);
+        report.verdict = design_words(answer.region) + loop_text(answer.loop);
+    }
+    if (answer.left_out) {
+        tell_left_out(*answer.left_out, slides_smoothly(answer.region), report);
+        report.verdict = of_ideal_loop(report.verdict);
+    }
     if (answer.set_point) {
         if (set_points_only) report.tone = set_point_tone(*answer.set_point);
         report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, units);

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/loop_text.h"
 
 #include <algorithm>
 #include <map>
@@ -175,7 +176,7 @@ std::string changed_text(const Spec& spec, const ChangedNumber& c)
 }
 
 Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
-                    const std::vector<ChangedNumber>& changed, const std::string& command)
+                    const std::vector<ChangedNumber>& changed, const LoopUse& loop, const std::string& command)
 {
     std::size_t failed = 0, refined = 0;
     for (const auto& d : deviations) {
@@ -188,7 +189,8 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
                                   " boundaries are out of tolerance."
                             : "All " + std::to_string(deviations.size()) + " boundaries are unchanged.";
     if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
-    report.tone = failed ? Tone::bad : Tone::good;
+    report.verdict += loop_text(loop);
+    report.tone = without_what_matters(failed ? Tone::bad : Tone::good, loop);
     report.headlines = headlines_of(spec, deviations, failed, refined);
     for (const auto& c : changed)
         report.findings.push_back("Changed since the baseline: " + changed_text(spec, c) + ".");

@@ -58,9 +58,10 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
                        words.gains(words.differing(c.allowed_wrongly), Quantity::position_gain),
                        words.gains(words.differing(c.forbidden_needlessly), Quantity::position_gain)}};
     if (!std::isnan(study.velocities.low)) {
-        table.rows.push_back({"least stable velocity", words.velocity(study.velocity_only.least),
+        table.rows.push_back({"slowest smooth velocity", words.velocity(study.velocity_only.least),
                               words.velocity(study.state_variable.least)});
-        table.rows.push_back({"stable from this velocity upwards", words.velocity(study.velocity_only.all_above),
+        table.rows.push_back({"V_{min}: every faster velocity slides smoothly",
+                              words.velocity(study.velocity_only.all_above),
                               words.velocity(study.state_variable.all_above)});
     }
     if (!std::isnan(study.velocity_only.least_force_rate) || !std::isnan(study.state_variable.least_force_rate))

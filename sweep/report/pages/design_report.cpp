@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 
 #include <algorithm>
@@ -129,7 +130,11 @@ Report design_report(const DesignAnswer& a, std::vector<Snippet> snippets)
     report.title = page_title("Design of gains", a.title);
     report.verdict = design_verdict_text(a);
     if (a.design.decided && a.design.feasible) name_symbols(report, a.nearest, units_of(a.joint));
-    report.tone = d.feasible ? Tone::good : Tone::bad;
+    report.tone = without_what_matters(d.feasible ? Tone::good : Tone::bad, a.loop);
+    if (a.left_out) {
+        tell_left_out(*a.left_out, d.feasible, report);
+        report.verdict = of_ideal_loop(report.verdict);
+    }
     report.snippets = std::move(snippets);
     if (d.feasible) report.headlines = headlines(a, u);
     for (const auto& text : ends_of_range(a, u)) report.alerts.push_back({Tone::warning, text});

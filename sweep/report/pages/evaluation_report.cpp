@@ -17,13 +17,7 @@ using Tone = Headline::Tone;
 
 void add_alerts(const JointEvaluation& e, Report& report)
 {
-    if (e.left_out) {
-        const bool same = (e.left_out->growth < 0) == e.verdict.state_variable.stable;
-        report.alerts.push_back(
-            {same ? Tone::neutral : Tone::warning, left_out_text(e.left_out->loop, e.left_out->growth)});
-        // what the loop as it is does not do is no clean yes
-        if (!same && report.tone == Tone::good) report.tone = Tone::warning;
-    }
+    if (e.left_out) tell_left_out(*e.left_out, e.verdict.state_variable.stable, report);
     if (e.verdict.steady.reason == Reason::limit_too_low) report.alerts.push_back({Tone::bad, low_limit_text(e.joint)});
     for (const auto& mode : e.near) report.alerts.push_back(near_mode_alert(mode, e.units()));
     if (e.integral)

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/pages/robust_figure.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 
 #include <algorithm>
@@ -59,8 +60,13 @@ Report margins_report(const MarginsAnswer& a)
     report.tone = !a.nearest.decided                 ? Headline::Tone::warning
                   : a.nearest.stable && worst_slides ? Headline::Tone::good
                                                      : Headline::Tone::bad;
+    report.tone = without_what_matters(report.tone, a.loop);
+    if (a.left_out) {
+        tell_left_out(*a.left_out, a.nearest.stable, report);
+        report.verdict = of_ideal_loop(report.verdict);
+    }
     if (a.nearest.decided) {
-        report.headlines = margins_headlines(a);
+        for (auto& headline : margins_headlines(a)) report.headlines.push_back(std::move(headline));
         name_symbols(report, a.nearest, units_of(a.joint));
     }
     Section section{"margins", "Margins", "", {}, {alone_table(a)}};

@@ -49,12 +49,20 @@ void add_margins(const Joint& joint, LinearVerdict& verdict)
 
 namespace {
 
-/// Of a mechanism that grows beyond all numbers within one tick: its own rate. A command that acts within the tick
-/// changes that by ln|1 − k|/T, less than a hundredth where e^{sT} overflows.
-double growth_within_tick(const Joint& joint, const LinearJoint& linear, double velocity)
+/// Of a mechanism that grows beyond all numbers within one tick: its own root. A command that acts within the tick
+/// changes its rate by ln|1 − k|/T, less than a hundredth where e^{sT} overflows.
+Complex root_within_tick(const Joint& joint, const LinearJoint& linear, double velocity)
 {
     const auto own = eigenvalues_of(loop_plant(joint, linear, velocity).A);
-    return own.size() > 0 ? own.real().maxCoeff() : missing;
+    Complex root = missing;
+    for (const Complex& s : own)
+        if (!(s.real() <= root.real())) root = s;
+    return {root.real(), std::abs(root.imag())};
+}
+
+double growth_within_tick(const Joint& joint, const LinearJoint& linear, double velocity)
+{
+    return root_within_tick(joint, linear, velocity).real();
 }
 
 std::optional<RealLoop> whole_loop(const Joint& joint, double commanded, bool velocity_only_friction)
@@ -107,7 +115,7 @@ Complex real_root(const Joint& joint, double commanded)
     } else if (const auto all = roots(std::get<DelayedLoop>(loop->loop), loop->gain); !all.empty()) {
         root = all.front();
     }
-    if (!std::isfinite(std::abs(root)) && growth(*loop) == infinity) return growth_within_tick(joint, linear, velocity);
+    if (!std::isfinite(std::abs(root)) && growth(*loop) == infinity) return root_within_tick(joint, linear, velocity);
     return {root.real(), std::abs(root.imag())};
 }
 
@@ -184,14 +192,18 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     const auto closed = delayed ? delayed_spectrum(*delayed, 1) : DelayedSpectrum{};
     memory.spectral_abscissa = delayed ? closed.growth : growth(*all);
     const bool beyond_numbers = memory.spectral_abscissa == infinity;
-    if (beyond_numbers) memory.spectral_abscissa = growth_within_tick(joint, linear, V);
+    const Complex root = beyond_numbers ? root_within_tick(joint, linear, V) : missing;
+    if (beyond_numbers) memory.spectral_abscissa = root.real();
     if (!std::isfinite(memory.spectral_abscissa)) {
         memory.spectral_abscissa = missing;
         verdict.steady.reason = Reason::not_finite;
         return verdict;
     }
     if (beyond_numbers) {
-        // no gain holds it, and nothing about its map from tick to tick is a number
+        // no gain holds it, and nothing about its map from tick to tick is a number: that root is all of the list
+        memory.eigenvalues = {root};
+        if (root.imag() > 0) memory.eigenvalues.push_back(std::conj(root));
+        memory.all_eigenvalues = false;
         memory.searched_from = memory.searched_to = gains_of(joint.control).k_p;
         const double simply = real_growth(joint, verdict.steady.velocity, true);
         simple.stable = simply < 0;

@@ -93,8 +93,8 @@ std::string reduction_error_text(double error)
 
 std::string rightmost_roots_text()
 {
-    return "memory that is a delay or a table has infinitely many: these are the rightmost ones, and no other lies "
-           "right of the last of them";
+    return "these are the rightmost ones, and no other lies right of the last of them: memory that is a delay or a "
+           "table has infinitely many, and growth beyond all numbers within a tick hides the others";
 }
 
 }  // namespace stickslip

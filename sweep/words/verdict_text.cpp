@@ -17,8 +17,21 @@ std::string stiffness(double k, Units units)
     return with_unit(k, Quantity::position_gain, units);
 }
 
-/// The stable set in k_p where it is no single half-line above a critical gain.
-std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
+/// k_p per the critical gain; beside it by how much, as "1 ×" would not tell the side.
+std::string to_critical(double k_p, const StateVariableVerdict& memory, Units units)
+{
+    const double ratio = k_p / memory.k_cr;
+    constexpr double beside = 0.005;
+    const bool close = std::abs(ratio - 1) < beside && ratio != 1;
+    const std::string side = ratio > 1 ? " above" : " below";
+    const std::string place =
+        close ? plain_number(100 * std::abs(ratio - 1)) + " %" + side : plain_number(ratio) + " ×";
+    return ": k_{p} = " + stiffness(k_p, units) + " is " + place +
+           " the critical gain k_{cr} = " + stiffness(memory.k_cr, units) + ".";
+}
+
+/// The stable set in k_p where it is no single half-line above a critical gain. `bistable`: of small disturbances.
+std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory, bool bistable = false)
 {
     if (!searched_in_k_p(joint)) return ".";
     const Units units = units_of(joint);
@@ -26,7 +39,9 @@ std::string stable_gains(const Joint& joint, const StateVariableVerdict& memory)
     const bool limited = std::isfinite(memory.searched_to);
     if (stable.empty()) return limited ? "." : ". No k_{p} makes it stable.";
     const bool all = stable.size() == 1 && stable[0].low == 0 && stable[0].high == infinity;
-    if (all && memory.stable) return " for every k_{p} > 0.";
+    if (all && memory.stable)
+        return std::string(bistable ? ". Small disturbances decay" : "") + " for every k_{p} > 0.";
+    if (all) return ". Every k_{p} > 0 is stable.";
     return ". k_{p} = " + stiffness(joint.control.k_p, units) +
            (memory.stable ? " is one of the stable gains: " : " is not among the stable gains: ") +
            intervals_text(stable, Quantity::position_gain, units) +
@@ -111,10 +126,9 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)
-        text += ": k_{p} = " + stiffness(k_p, units) + " is " + plain_number(k_p / memory.k_cr) +
-                " × the critical gain k_{cr} = " + stiffness(memory.k_cr, units) + ".";
+        text += to_critical(k_p, memory, units);
     else
-        text += stable_gains(joint, memory);
+        text += stable_gains(joint, memory, bistable);
     const auto side = side_text(joint, false);
     return text + other_theory(joint, v) + loop_text(v.loop) + (side.empty() ? "" : " " + side);
 }

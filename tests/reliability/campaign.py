@@ -43,8 +43,8 @@ def fuzz_kinds():
 
 # kind: goal, size of a slice, command of a slice, what counts in its output, what of it is a finding (beside its exit code)
 KINDS = {
-    "kills": (10_000, 100, lambda b, n, seed: [HERE / "faults.sh", b / "sweep/stickslip", n, seed, 0], r"kills survived: (\d+)", None),
-    "torn": (10_000, 100, lambda b, n, seed: [HERE / "faults.sh", b / "sweep/stickslip", 0, seed, n], r"after (\d+) damages", None),
+    "kills": (10_000, 20, lambda b, n, seed: [HERE / "faults.sh", b / "sweep/stickslip", n, seed, 0], r"kills survived: (\d+)", None),
+    "torn": (10_000, 20, lambda b, n, seed: [HERE / "faults.sh", b / "sweep/stickslip", 0, seed, n], r"after (\d+) damages", None),
     "linear": (10**7, 5_000, lambda b, n, seed: [b / "tests/reliability/reliability_points", "--points", n, "--seed", seed, *joints()],
                r"^linear points checked: (\d+)", r"FAULT"),
     "nonlinear": (10**5, 200, lambda b, n, seed: [b / "tests/reliability/reliability_points", "--points", 0, "--nonlinear", n, "--seed",

@@ -266,12 +266,21 @@ def interrupt(verb, rng):
     return ended
 
 
+def unlisted(words_of_verbs):
+    """Verbs of the program that silence_verbs.py does not run."""
+    said = subprocess.run([PROGRAM], capture_output=True, text=True).stderr
+    there = re.search(r"Commands: ([^.]+)\.", said).group(1).split(", ")
+    return sorted(set(there) - {words[0] for words in words_of_verbs})
+
+
 def main():
     libc = ctypes.CDLL(None, use_errno=True)
     if libc.unshare(CLONE_NEWNS) != 0 or libc.mount(b"none", b"/", None, MS_REC | MS_PRIVATE, None) != 0:
         print("skipped: no right to mount a small disk")
         return 77
     findings, disks, streams, heard = Findings(), 0, 0, 0
+    for verb in unlisted(verbs().values()):
+        findings.add(verb, "is not among the verbs of silence_verbs.py")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         inputs(PROGRAM, folder)

@@ -1,15 +1,11 @@
-// What `evaluate --json` and `margins` take in CPU time, over random joints of every law, model and control. Usage:
-// reliability_times [--joints N] [--from K] [--loops] [--margins] [--limit SECONDS] [--slow FOLDER], for the joints
-// K … N − 1, drawn as reliability_consistency draws them. Joints above the limit are printed, and written to FOLDER for
-// `stickslip`.
-#include "analysis/simulation/attractor/nonlinear.h"
-#include "analysis/stability/integral_cost.h"
-#include "analysis/stability/neighbour_modes.h"
-#include "analysis/stability/real_loop.h"
-#include "analysis/stability/study.h"
-#include "analysis/stability/verdict.h"
+// What `evaluate --json`, with --text `evaluate`, and `margins` take in CPU time, over random joints of every law,
+// model and control. Usage:
+// reliability_times [--joints N] [--from K] [--loops] [--text] [--margins] [--limit SECONDS] [--slow FOLDER], for the
+// joints K … N − 1, drawn as reliability_consistency draws them. Joints above the limit are printed with the times of
+// their stages (roots, nonlinear, study, rest), and written to FOLDER for `stickslip`.
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/study/evaluation.h"
 #include "sweep/study/margins_answer.h"
 #include "tests/analysis/loop/random_loop.h"
 #include "tests/analysis/stability/random_joint.h"
@@ -30,17 +26,19 @@ double cpu_seconds()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// All that the verb computes, from one joint.
-void evaluate(const Joint& joint)
+/// What the verb computes, and the CPU time of each of its stages.
+std::vector<double> evaluate(const Joint& joint, bool text)
 {
-    auto verdict = linear_verdict(joint);
-    add_margins(joint, verdict);
-    NonlinearOptions options;
-    options.bifurcation = true;
-    nonlinear_verdict(joint, options);
-    linear_study(joint);
-    near_modes(joint);
-    integral_cost(joint, verdict);
+    EvaluationQuestion question;
+    question.joint = joint;
+    question.nonlinear.bifurcation = true;
+    question.study = !text;
+    std::vector<double> begun;
+    evaluate_joint(question, [&](EvaluationStage) { begun.push_back(cpu_seconds()); });
+    begun.push_back(cpu_seconds());
+    for (std::size_t i = 0; i + 1 < begun.size(); ++i) begun[i] = begun[i + 1] - begun[i];
+    begun.pop_back();
+    return begun;
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ int main(int argc, char** argv)
 {
     std::uint64_t joints = 200, from = 0;
     double limit = 1;
-    bool margins = false, loops = false;
+    bool margins = false, loops = false, text = false;
     std::filesystem::path folder;
     for (int i = 1; i < argc; ++i) {
         const bool more = i + 1 < argc;
@@ -63,6 +61,8 @@ int main(int argc, char** argv)
             folder = argv[++i];
         else if (!std::strcmp(argv[i], "--margins"))
             margins = true;
+        else if (!std::strcmp(argv[i], "--text"))
+            text = true;
         else if (!std::strcmp(argv[i], "--loops"))
             loops = true;
         else
@@ -73,22 +73,27 @@ int main(int argc, char** argv)
     for (std::uint64_t number = from; number < joints; ++number) {
         const Joint joint = loops ? samples::random_loop(number) : samples::random_joint(number);
         const double begin = cpu_seconds();
+        std::vector<double> stages;
         if (margins)
             margins_of(joint);
         else
-            evaluate(joint);
+            stages = evaluate(joint, text);
         const double took = cpu_seconds() - begin;
         seconds.push_back(took);
         if (took <= limit) continue;
         ++slow;
-        std::printf("SLOW joint %llu: %.2f s\n", static_cast<unsigned long long>(number), took);
+        std::printf("SLOW joint %llu: %.2f s", static_cast<unsigned long long>(number), took);
+        for (const double stage : stages) std::printf(" %.2f", stage);
+        std::printf("\n");
         std::fflush(stdout);
         if (!folder.empty()) write_whole(folder / ("joint-" + std::to_string(number) + ".toml"), joint_text(joint));
     }
     std::sort(seconds.begin(), seconds.end());
     if (seconds.empty()) return 2;
     std::printf("CPU time of %s: %zu joints, above %g s: %d, median %.3f s, longest %.2f s\n",
-                margins ? "margins" : "evaluate --json", seconds.size(), limit, slow, seconds[seconds.size() / 2],
-                seconds.back());
+                margins ? "margins"
+                : text  ? "evaluate"
+                        : "evaluate --json",
+                seconds.size(), limit, slow, seconds[seconds.size() / 2], seconds.back());
     return slow == 0 ? 0 : 1;
 }

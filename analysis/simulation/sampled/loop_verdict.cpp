@@ -24,6 +24,11 @@ constexpr double far_pull = 3;           ///< of the spring, in V_0/|s|
 constexpr double faded = 1e-9;           ///< of a push: no more than this is left of it
 constexpr double uneven_rtol = 1e-5;     ///< tolerance of motions that an encoder or noise disturbs
 constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
+/// Of |s|: how much a growth measured in ticks must be before its sign counts. An oscillation that nothing damps grows
+/// by 2e-6 |s| in the fixed steps of a continuous loop.
+constexpr double measurable_in_ticks = 1e-5;
+/// Within which a stated disturbance of a neutral joint has to stick: so many turns add a part in a thousand to it.
+constexpr int turns_of_neutral = 100;
 
 double total_backlash(const Joint& joint)
 {
@@ -106,8 +111,8 @@ bool has_real_loop(const Joint& joint)
     const auto& c = joint.control;
     const auto& a = joint.actuator;
     const auto& s = joint.sensor;
-    const bool nonlinear =
-        c.dead_zone > 0 || c.feed_forward.coulomb != 0 || c.feed_forward.velocity != 1 || c.dither.amplitude > 0;
+    const bool nonlinear = c.dead_zone > 0 || c.feed_forward.coulomb != 0 ||
+                           (c.feed_forward.velocity != 1 && c.k_v != 0) || c.dither.amplitude > 0;
     return loop_kind(joint) != LoopKind::ideal || nonlinear || joint.mechanism.hardens() ||
            c.structure == Structure::cascade || c.effort_limit < infinity || a.limit < infinity ||
            a.sag_effort < infinity || s.encoder_quantum > 0 || s.position_noise > 0;
@@ -166,11 +171,15 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
         verdict_.growth_rate = measure_loop_growth(linear, mode_);
     else
         verdict_.growth_rate = has_theory ? root.real() : s.real();
-    const double measured = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
-    if (!(std::abs(s) > 0) || std::abs(measured) < neutral_growth * std::abs(s)) return refuse(Reason::neutral, {});
+    double growth = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
+    if (std::isfinite(root.real()) && std::abs(growth) < measurable_in_ticks * std::abs(s))
+        verdict_.growth_rate = growth = root.real();
+    neutral_ = std::abs(growth) < neutral_growth * std::abs(s);
+    // a disturbance of some size may end in sticking for good all the same
+    if (!(std::abs(s) > 0) || (neutral_ && !is_set(question_.disturbance.size))) return refuse(Reason::neutral, {});
     auto& options = follow_;
-    options.turn_limit = question_.turn_limit;
-    options.steady_attracts = measured < 0;
+    options.turn_limit = neutral_ ? std::min(question_.turn_limit, turns_of_neutral) : question_.turn_limit;
+    options.steady_attracts = neutral_ || growth < 0;
     options.decay = s.real();
     options.winds = std::abs(gains_of(joint_.control).k_i / gains_of(joint_.control).k_p);
     // the slow mode of an integral does not turn, but the spring swings beside it
@@ -271,6 +280,11 @@ void LoopInquiry::judge_stated()
     if (stated.reason == Reason::not_converged)
         verdict_.detail = stated.cut_short ? Detail::limit_of_work : Detail::limit_of_turns;
     if (deflection_ > 0) verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection_;
+    if (neutral_) {
+        const bool sticks = stated.oscillates() && stated.stick_fraction > 0;
+        if (!sticks) verdict_ = refused(Reason::neutral);
+        return;
+    }
     if (!follow_.steady_attracts) {
         verdict_.region = NonlinearRegion::stick_slip;
     } else if (stated.oscillates()) {

@@ -77,6 +77,7 @@ class LoopInquiry {
     std::vector<double> steady_;
     double origin_ = 0;
     Phase phase_ = Phase::stated;
+    bool neutral_ = false;  ///< small disturbances neither grow nor decay: only one that was stated is followed
 };
 
 LoopVerdict loop_verdict(const Joint& joint, const LoopQuestion& question);

@@ -86,6 +86,24 @@ TEST_CASE("W11: undamped kinetic and static friction answers for the disturbance
     CHECK(nonlinear_verdict(found("w11"), options).reason == Reason::neutral);
 }
 
+// A limit of the effort is followed in fixed steps, in which an undamped oscillation grows by itself.
+TEST_CASE("W11: the same with a limit that it does not reach, followed tick by tick")
+{
+    auto joint = found("w11");
+    joint.control.effort_limit = 1e3;
+    CHECK(nonlinear_verdict(joint, {}).reason == Reason::neutral);
+    NonlinearOptions options;
+    options.disturbance = {DisturbanceKind::start, 0};
+    CHECK(nonlinear_verdict(joint, options).outcome == Outcome::stick_slip);
+    options.disturbance = {DisturbanceKind::position, 1e-6};
+    CHECK(nonlinear_verdict(joint, options).reason == Reason::neutral);
+    joint.control.k_v = 1e-6;  // 1.6e-8 of |s|: damps
+    const auto damped = nonlinear_verdict(joint, {});
+    CHECK(damped.growth_rate == Approx(-0.5e-6));
+    CHECK(damped.outcome == Outcome::stable_sliding);
+    CHECK(damped.region == NonlinearRegion::bistable);
+}
+
 TEST_CASE("W9: every turn of a motion counts among those after which it repeats, however small", "[slow]")
 {
     const auto verdict = nonlinear_verdict(found("w9"), {});

@@ -86,9 +86,30 @@ TEST_CASE("a joint that slides at every gain is said to", "[report]")
     joint.control.V0 = 1e-3;
     joint.control.k_p = 1e4;
     joint.control.k_v = 600;  // above (B − A)/V_0 = 500 N·s/m, (37)
-    const auto text = plain_text(verdict_text(joint, linear_verdict(joint)));
+    auto text = plain_text(verdict_text(joint, linear_verdict(joint)));
     CAPTURE(text);
     CHECK(has(text, "Slides smoothly at 1 mm/s for every k_p > 0."));
+    // where a large disturbance ends otherwise, that holds of small ones only
+    text = plain_text(verdict_text(joint, linear_verdict(joint), true));
+    CHECK(has(text, "ends in stick-slip for good. Small disturbances decay for every k_p > 0."));
+    joint.control.k_p = -1e4;
+    text = plain_text(verdict_text(joint, linear_verdict(joint)));
+    CHECK(has(text, "is not among the stable gains") == false);
+    CHECK(has(text, "Every k_p > 0 is stable."));
+}
+
+TEST_CASE("a gain beside the critical one is told by how much and to which side", "[report]")
+{
+    Joint joint = samples::single_mass(1);
+    joint.control.V0 = 1e-3;
+    const double k_cr = linear_verdict(joint).state_variable.k_cr;
+    const auto text_at = [&](double k_p) {
+        joint.control.k_p = k_p;
+        return plain_text(verdict_text(joint, linear_verdict(joint)));
+    };
+    CHECK(has(text_at(1.0005 * k_cr), " is 0.05 % above the critical gain k_cr = "));
+    CHECK(has(text_at(0.9999 * k_cr), " is 0.01 % below the critical gain k_cr = "));
+    CHECK(has(text_at(2 * k_cr), " is 2 × the critical gain k_cr = "));
 }
 
 TEST_CASE("neutral sliding is called neutral, not stick-slip", "[report]")

@@ -1,7 +1,8 @@
 #include "analysis/results/boundary.h"
 
+#include "analysis/results/point.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace stickslip {
 
@@ -60,8 +61,8 @@ Curve curve_of(const FollowedBoundary& boundary)
     curve.precision = boundary.precision();
     for (const auto& piece : boundary.pieces) {
         if (!curve.x.empty()) {
-            curve.x.push_back(std::numeric_limits<double>::quiet_NaN());
-            curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
+            curve.x.push_back(missing);
+            curve.y.push_back(missing);
         }
         for (const auto& point : piece.points) curve.x.push_back(point.x), curve.y.push_back(point.y);
         if (piece.last == CurveEnd::closed && !piece.points.empty())

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/results/cause_set.h"
 #include "analysis/results/note.h"
+#include "analysis/results/point.h"
 #include "analysis/results/quantity.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ inline std::string name_of(Verdict v)
 }
 
 struct ConfidenceInterval {
-    double low = std::numeric_limits<double>::quiet_NaN(), high = std::numeric_limits<double>::quiet_NaN();
+    double low = missing, high = missing;
 };
 
 /// A part of the whole: where along the chain, or in which regime, the gap lies.
@@ -46,7 +47,7 @@ struct Share {
 struct FittedParameter {
     std::string name;  ///< "stribeck.c2"
     double value = 0;
-    double standard_error = std::numeric_limits<double>::quiet_NaN();
+    double standard_error = missing;
     std::string unit;
 };
 
@@ -74,7 +75,7 @@ struct Cause {
     std::vector<SheetValue> values;  ///< of the documented numbers that the cause changes
     double heldout_gain = 0;         ///< 1 − after/before of held-out RMS
     ConfidenceInterval heldout_gain_interval;
-    double force_gain = std::numeric_limits<double>::quiet_NaN();  ///< the same for the drive force, see DriveForceGap
+    double force_gain = missing;  ///< the same for the drive force, see DriveForceGap
     ConfidenceInterval force_gain_interval;
     bool signature = false;      ///< it is in the records
     bool plausible = true;       ///< its numbers are not at a bound and not out of all proportion
@@ -219,7 +220,7 @@ struct Diagnosis {
 /// That none of the listed causes is it: with their probabilities it makes one. NaN where none is listed.
 inline double probability_of_none(const Diagnosis& d)
 {
-    if (d.effects.empty()) return std::numeric_limits<double>::quiet_NaN();
+    if (d.effects.empty()) return missing;
     double listed = 0;
     for (const auto& cause : d.effects) listed += cause.probability;
     return std::clamp(1 - listed, 0.0, 1.0);

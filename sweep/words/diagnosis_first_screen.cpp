@@ -1,6 +1,7 @@
 #include "sweep/words/diagnosis_first_screen.h"
 
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/results/point.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip {
 namespace {
@@ -94,7 +94,7 @@ std::string when_text(const std::string& regime)
 /// document or rungs that are not named take is not theirs. NaN where the named ones are no rungs.
 double explained_by_named(const Diagnosis& d)
 {
-    double share = std::numeric_limits<double>::quiet_NaN();
+    double share = missing;
     if (d.effects.empty()) return share;
     const auto& named = d.effects[0].names;
     for (const auto& rung : d.ladder)

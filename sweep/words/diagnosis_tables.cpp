@@ -1,5 +1,6 @@
 #include "sweep/words/diagnosis_tables.h"
 
+#include "analysis/results/point.h"
 #include "analysis/results/text.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_text.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip {
 namespace {
@@ -20,7 +20,7 @@ std::string number(double value)
 
 ShareBar bar_of(double share)
 {
-    return {share, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    return {share, missing, missing};
 }
 
 std::string ranged(double value, const ConfidenceInterval& interval)

@@ -2,6 +2,7 @@
 #include "analysis/boundary/trace/tracer.h"
 
 #include "analysis/numerics/root.h"
+#include "analysis/results/point.h"
 
 #include <algorithm>
 #include <numbers>
@@ -57,7 +58,7 @@ std::vector<Tracer::Exit> Tracer::exits(UnitPoint centre, double radius, const U
     const auto direction = [](double angle) { return UnitPoint{std::cos(angle), std::sin(angle)}; };
     const auto side = [&](double angle) {
         const auto p = centre + radius * direction(angle);
-        return p.inside() ? at(p) : std::nan("");
+        return p.inside() ? at(p) : missing;
     };
     std::vector<double> angles, around;
     for (int k = 0; k < directions; ++k) angles.push_back(2 * std::numbers::pi * (k + 0.37) / directions);

@@ -2,11 +2,11 @@
 
 #include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/results/point.h"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip::gap {
 
@@ -23,7 +23,7 @@ EffortRegression::EffortRegression(const EffortTerms& terms, Columns columns, bo
     for (std::size_t k = late_; k < rows; ++k) taken[k] = std::abs(terms.effort[k] - middle) < inner * half;
     fit(taken);
     if (!solved()) return;
-    std::vector<double> wanted(rows), missed(rows, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> wanted(rows), missed(rows, missing);
     for (std::size_t k = late_; k < rows; ++k) {
         wanted[k] = at(k).dot(x_);
         if (taken[k]) missed[k] = terms.effort[k] - wanted[k];

@@ -1,5 +1,7 @@
 #include "sweep/files/json/archive.h"
 
+#include "analysis/results/point.h"
+
 #include <limits>
 #include <mutex>
 #include <set>
@@ -24,7 +26,7 @@ Json written(double value)
 double read_number(const Json& json)
 {
     if (json.is_number()) return json.get<double>();
-    if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
+    if (json.is_null()) return missing;
     if (json == "inf") return std::numeric_limits<double>::infinity();
     if (json == "-inf") return -std::numeric_limits<double>::infinity();
     throw std::invalid_argument("is no number");

@@ -1,5 +1,6 @@
 #include "sweep/files/json/calibration_json.h"
 
+#include "analysis/results/point.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/joint_file.h"
@@ -36,7 +37,7 @@ Json place_json(const Place& p)
 double number_of(const Json& j, const char* key)
 {
     const auto& value = j.at(key);
-    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+    return value.is_null() ? missing : value.get<double>();
 }
 
 Place place_from(const Json& j)

@@ -1,11 +1,11 @@
 #include "sweep/files/json/diagnosis_file.h"
 
+#include "analysis/results/point.h"
 #include "sweep/files/text/bad_input.h"
 
 #include <fmt/format.h>
 
 #include <fstream>
-#include <limits>
 
 namespace stickslip {
 namespace {
@@ -19,7 +19,7 @@ constexpr double errors_to_the_end = 1.959964;
 
 double number_or_nan(const Json& json)
 {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+    return json.is_null() ? missing : json.get<double>();
 }
 
 Verdict verdict_named(const std::string& name)

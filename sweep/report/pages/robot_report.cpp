@@ -1,5 +1,6 @@
 #include "sweep/report/pages/robot_report.h"
 
+#include "analysis/results/point.h"
 #include "analysis/results/text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip {
 namespace {
@@ -19,7 +19,6 @@ using Status = JointOutcome::Status;
 
 /// Shares below it read as 0 %.
 constexpr double worth_telling = 0.005;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool found(const JointOutcome& joint, Verdict verdict)
 {
@@ -54,7 +53,7 @@ std::vector<std::string> effects_of(const RobotAnswer& robot)
 
 struct Cell {
     std::string text;
-    double share = nothing;
+    double share = missing;
 };
 
 /// Of causes that only act together the share stands at each, and says with which.

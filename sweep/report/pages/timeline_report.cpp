@@ -1,5 +1,6 @@
 #include "sweep/report/pages/timeline_report.h"
 
+#include "analysis/results/point.h"
 #include "analysis/results/text.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/diagnosis_tables.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace stickslip {
 namespace {
@@ -19,7 +19,6 @@ using Tone = Headline::Tone;
 using Line = DetailedChart::Line;
 
 constexpr std::size_t most_charts = 8;  ///< of numbers; the table and timeline.json have all
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 Tone tone_of(const DiagnosisFacts& facts)
 {
@@ -79,8 +78,8 @@ Figure gap_figure(const Timeline& t)
     Line documented{"as documented", days_of(t), {}}, with{"with the named cause", days_of(t), {}, true};
     for (const auto& run : t.runs) {
         const auto& facts = run.facts;
-        documented.y.push_back(facts.answered() ? facts.overall.before : nothing);
-        with.y.push_back(facts.answered() && !facts.causes.empty() ? facts.overall.after : nothing);
+        documented.y.push_back(facts.answered() ? facts.overall.before : missing);
+        with.y.push_back(facts.answered() && !facts.causes.empty() ? facts.overall.after : missing);
     }
     chart.lines = {documented, with};
     chart.x_marks = marks_of(t);

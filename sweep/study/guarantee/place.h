@@ -2,8 +2,8 @@
 #pragma once
 #include "analysis/diagnosis/records/record.h"
 #include "analysis/joint/joint.h"
+#include "analysis/results/point.h"
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,12 +15,11 @@ struct Place {
     std::vector<std::string> columns;  ///< in every record
     bool noise_documented = false;
     double records = 0;
-    double duration = 0;                                       ///< s, of all records together
-    double period = std::numeric_limits<double>::quiet_NaN();  ///< s, of the loop
-    double step = std::numeric_limits<double>::quiet_NaN();    ///< s, median between two rows
-    double noise =
-        std::numeric_limits<double>::quiet_NaN();  ///< documented noise and step of the encoder, of the travel
-    double bandwidth = std::numeric_limits<double>::quiet_NaN();  ///< rad/s, √(k_p / inertia)
+    double duration = 0;         ///< s, of all records together
+    double period = missing;     ///< s, of the loop
+    double step = missing;       ///< s, median between two rows
+    double noise = missing;      ///< documented noise and step of the encoder, of the travel
+    double bandwidth = missing;  ///< rad/s, √(k_p / inertia)
 };
 
 /// `columns`: the names of those that every record has.

@@ -33,7 +33,8 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     verdict.period = found.cycle.period;
     verdict.stick_fraction = found.cycle.stick_fraction;
     verdict.repeats = found.cycle.repeats;
-    verdict.overshoot = found.overshoot;
+    const bool ended = verdict.outcome != Outcome::undecided && verdict.outcome != Outcome::solver_failure;
+    if (ended) verdict.overshoot = found.overshoot;  // what a motion reaches depends on where it was stopped
     verdict.path = DecisionPath::ticks;
     verdict.reason = found.reason;
     verdict.detail = found.detail;

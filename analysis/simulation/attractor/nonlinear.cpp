@@ -66,6 +66,7 @@ void leave_open(Reason reason, NonlinearVerdict& verdict)
 {
     verdict.outcome = Outcome::undecided;
     verdict.reason = reason;
+    verdict.overshoot = missing;
 }
 
 /// Where the stated disturbance ends. A small one (`small`) that decays ends in steady sliding; one that grows is
@@ -92,8 +93,9 @@ void take_stated(const Attractor& stated, double deflection, NonlinearVerdict& v
     verdict.path = stated.path;
     verdict.used_fallback |= stated.used_fallback;
     if (stated.cut_short) verdict.detail = Detail::limit_of_work;
-    // fmax ignores what is missing
-    if (!stated.diverged)
+    // of a motion whose end is known: what one has reached so far depends on where it was stopped; fmax ignores what is
+    // missing
+    if (verdict.outcome != Outcome::undecided && verdict.outcome != Outcome::solver_failure)
         verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
     if (stated.oscillates()) describe_cycle(stated, verdict);
 }

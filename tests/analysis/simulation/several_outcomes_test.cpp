@@ -130,6 +130,7 @@ TEST_CASE("what keeps a joint from having an outcome has a code of its own, in s
     const auto is_open = [](const Joint& joint, Reason why) {
         const auto verdict = nonlinear_verdict(joint, {});
         CHECK(verdict.outcome == Outcome::undecided);
+        CHECK_FALSE(is_set(verdict.overshoot));
         CHECK(verdict.region != NonlinearRegion::bistable);
         CHECK(is_set(verdict.growth_rate) == (verdict.growth_missing == Detail::none));
         PointResult row = linear_point(joint);

@@ -25,7 +25,8 @@ constexpr const char* axes =
 constexpr const char* gear = "[friction.gear]\nforward = 0.1\nbackward = 0.2\n";
 
 const char* const verbs[] = {"evaluate {} ", "margins {} ", "boundary {} --along control.k_p=1e3..1e8 ",
-                             "design {} --require position_noise=1e-6 --require sample_time=1e-3 ", "sweep {} "};
+                             "design {} --require position_noise=1e-6 --require sample_time=1e-3 --effort 0.1 ",
+                             "sweep {} "};
 
 std::string call(std::string verb, const std::string& file)
 {

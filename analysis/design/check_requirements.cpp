@@ -3,11 +3,25 @@
 #include "analysis/design/judge.h"
 #include "analysis/stability/steady.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace stickslip {
+
+Requirements requirements_of(const Joint& joint)
+{
+    Requirements r;
+    r.noise.position = std::hypot(joint.sensor.position_noise, joint.sensor.encoder_quantum / std::sqrt(12.0));
+    r.noise.period = joint.control.period;
+    r.noise.filter = joint.control.velocity_estimate.tau;
+    r.noise.average = joint.control.velocity_estimate.average;
+    r.effort_limit = joint.actuator.limit;
+    if (joint.actuator.kind == ActuatorKind::effort)  // the controller's own limit is one of its signal
+        r.effort_limit = std::min(r.effort_limit, joint.control.effort_limit * std::abs(joint.actuator.effort_gain));
+    return r;
+}
 
 void check_sense(const Joint& joint, const Requirements& r)
 {

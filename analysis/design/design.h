@@ -26,6 +26,10 @@ struct Requirements {
     double front_points = 12;                                                       ///< points of the Pareto front
 };
 
+/// What the joint itself says of them: noise and steps of its encoder, its sample time, filter and limits. Without an
+/// encoder's noise and a period, neither noise nor sample time.
+Requirements requirements_of(const Joint& joint);
+
 /// Minimises the cost over (k_p, k_v): NLopt's DIRECT-L over the whole range, then COBYLA under the constraints. The
 /// front asks for each margin in turn. Velocity-only thinking solves the same problem with steady-state friction, and
 /// is then judged with memory. Throws std::invalid_argument for requirements that mean nothing (no noise, no sample

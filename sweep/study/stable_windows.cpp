@@ -43,13 +43,17 @@ void add_ends(const StableWindows& w, double own_gain, WindowEnds& ends)
 
 }  // namespace
 
-StableWindows stable_windows(const Joint& joint, double velocity)
+Joint acting_at(const Joint& joint, double velocity)
 {
-    const Joint given = with_gains(joint);
-    Joint there = with_loop_at_joint(given);
+    Joint there = with_loop_at_joint(with_gains(joint));
     there.control.V0 = velocity;
     there.control.force_rate = not_set;
-    return windows_of(given, there);
+    return there;
+}
+
+StableWindows stable_windows(const Joint& joint, double velocity)
+{
+    return windows_of(with_gains(joint), acting_at(joint, velocity));
 }
 
 double reported_velocity(const Joint& joint, double usual_speed)

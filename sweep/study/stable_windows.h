@@ -23,6 +23,9 @@ struct StableWindows {
     bool known() const { return refused.empty() && !std::isnan(spectral_abscissa); }  ///< there is a verdict
 };
 
+/// The joint as it acts at `velocity`, whatever it commands: its sum of gains, counted at the joint's side of a gear.
+Joint acting_at(const Joint& joint, double velocity);
+
 /// At `velocity`, whatever the joint commands.
 StableWindows stable_windows(const Joint& joint, double velocity);
 

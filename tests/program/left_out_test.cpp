@@ -25,7 +25,8 @@ constexpr const char* axes =
 constexpr const char* gear = "[friction.gear]\nforward = 0.1\nbackward = 0.2\n";
 
 const char* const verbs[] = {"evaluate {} ", "margins {} ", "boundary {} --along control.k_p=1e3..1e8 ",
-                             "design {} --require position_noise=1e-6 --require sample_time=1e-3 ", "sweep {} "};
+                             "design {} --require position_noise=1e-6 --require sample_time=1e-3 --effort 0.1 ",
+                             "sweep {} "};
 
 std::string call(std::string verb, const std::string& file)
 {
@@ -45,7 +46,7 @@ TEST_CASE("every verb tells the term that its linear theory lacks, and is not gr
         const std::string out = " -o '" + folder / name + "'";
         const auto said = stickslip(call(verb, geared) + out);
         INFO(said.output);
-        REQUIRE(said.exit_code == 0);
+        REQUIRE((said.exit_code == 0 || (name == "evaluate" && said.exit_code == 4)));  // its motion is undecided
         CHECK_THAT(said.output, Contains("Not used, though it may change the verdict: friction.gear."));
         const auto page = program::read(folder / name + "/report.html");
         CHECK_THAT(page, Contains("class=\"verdict warning\"") && Contains("may change the verdict: friction.gear."));
@@ -85,9 +86,9 @@ TEST_CASE("a page about the ideal loop begins with it, and is green only where t
             return program::read(out + "/report.html");
         };
         CHECK_THAT(page_of("60e3"),
-                   Contains("class=\"verdict warning\"") && Contains("In the paper's ideal loop.") &&
+                   Contains("class=\"verdict warning\"") && Contains("ideal loop.") &&
                        Contains("In the sampled loop as it is, sliding at this velocity is unstable."));
-        CHECK_THAT(page_of("80e3"), Contains("class=\"verdict good\"") && Contains("In the paper's ideal loop.") &&
+        CHECK_THAT(page_of("80e3"), Contains("class=\"verdict good\"") && Contains("ideal loop.") &&
                                         Contains("In the sampled loop as it is, sliding at this velocity is stable."));
     }
 }

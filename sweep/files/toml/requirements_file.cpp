@@ -123,13 +123,7 @@ Requirements read_requirements(const std::filesystem::path& file, const Joint& j
 {
     RequirementsTable table;
     auto& r = table.r;
-    r.noise.position = std::hypot(joint.sensor.position_noise, joint.sensor.encoder_quantum / std::sqrt(12.0));
-    r.noise.period = joint.control.period;
-    r.noise.filter = joint.control.velocity_estimate.tau;
-    r.noise.average = joint.control.velocity_estimate.average;
-    r.effort_limit = joint.actuator.limit;
-    if (joint.actuator.kind == ActuatorKind::effort)  // the controller's own limit is one of its signal
-        r.effort_limit = std::min(r.effort_limit, joint.control.effort_limit * std::abs(joint.actuator.effort_gain));
+    r = requirements_of(joint);
     const auto explain = [](const std::string& path, const std::vector<std::string>& siblings) {
         return "unknown key, expected " + files::listed(siblings) +
                files::did_you_mean(path.substr(path.rfind('.') + 1), siblings);

@@ -145,10 +145,12 @@ void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::p
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
     if (page) {
         const bool named = d.verdict == Verdict::gap && !rig;
-        const auto moved =
-            named ? moved_boundary(before, after, reported_velocity(before, d.usual_speed)) : MovedBoundary{};
-        auto report = diagnosis_report(d, before, after, moved, {{"version", program_version()}, {"command", command}},
-                                       corrections(corrected, before, after, rig), rig);
+        const double velocity = named ? reported_velocity(before, d.usual_speed) : missing;
+        const auto moved = moved_boundary(before, after, velocity);
+        const auto gains = corrected_gains(before, after, velocity, parallel_for_each);
+        auto report =
+            diagnosis_report(d, before, after, moved, gains, {{"version", program_version()}, {"command", command}},
+                             corrections(corrected, before, after, rig), rig);
         if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
         write_linked_report(report, directory, {}, {of.robot, of.page});
     }

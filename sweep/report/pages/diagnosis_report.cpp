@@ -5,6 +5,7 @@
 #include "sweep/report/figures/ladder_drawing.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/where_drawing.h"
+#include "sweep/report/pages/corrected_section.h"
 #include "sweep/report/pages/guarantee_card.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_first_screen.h"
@@ -90,18 +91,22 @@ Section much_section(const Diagnosis& d)
     return much;
 }
 
-Section boundary_section(const Diagnosis& d, const MovedBoundary& moved, Units units)
+Section boundary_section(const Diagnosis& d, const MovedBoundary& moved, const CorrectedGains& gains, Units units)
 {
-    return moved_section(moved, units, "with " + together(d.effects[0].names),
-                         " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
-                         "terms that depend on position or time are not in this theory.");
+    const std::string with = "with " + together(d.effects[0].names);
+    auto section =
+        moved_section(moved, units, with,
+                      " Friction, inertia, gains, delays, filters and sampling move the boundary; limits and "
+                      "terms that depend on position or time are not in this theory, and are simulated.");
+    add_corrected_gains(section, gains, units, with);
+    return section;
 }
 
 }  // namespace
 
 Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const Joint& after, const MovedBoundary& moved,
-                        std::vector<std::pair<std::string, std::string>> provenance, std::vector<Snippet> snippets,
-                        bool rig)
+                        const CorrectedGains& gains, std::vector<std::pair<std::string, std::string>> provenance,
+                        std::vector<Snippet> snippets, bool rig)
 {
     const Diagnosis d = rig ? in_units_of_the_record(diagnosis) : diagnosis;
     Report r;
@@ -140,7 +145,7 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
     if (!d.effects.empty()) r.sections.push_back(what_section(d));
     r.sections.push_back(much_section(d));
     r.sections.push_back(next_section(d));
-    if (d.verdict == Verdict::gap && !rig) r.sections.push_back(boundary_section(d, moved, units_of(before)));
+    if (d.verdict == Verdict::gap && !rig) r.sections.push_back(boundary_section(d, moved, gains, units_of(before)));
     r.sections.push_back({"data",
                           "Data",
                           "diagnosis.json beside this page has every number of this page under stable names.",

@@ -60,7 +60,7 @@ Diagnosis named()
 Report page_of(const Diagnosis& d, const Joint& before, const Joint& after)
 {
     const auto moved = moved_boundary(before, after, reported_velocity(before, d.usual_speed));
-    return diagnosis_report(d, before, after, moved, {});
+    return diagnosis_report(d, before, after, moved, {}, {});
 }
 
 nlohmann::ordered_json json_of(const Diagnosis& d, const Joint& before, const Joint& after)

@@ -1,0 +1,31 @@
+// What a named cause means for the gains: both joints over their gains, how they move, and which gains would be right.
+#pragma once
+#include "analysis/base/parallel_for.h"
+#include "analysis/design/design.h"
+#include "analysis/results/trajectory.h"
+#include "sweep/study/gain_chart.h"
+
+#include <optional>
+#include <string>
+
+namespace stickslip {
+
+/// Of the documented joint and of the corrected one, at one velocity. Gains of charts and of the design are counted at
+/// the joint, `per_drive` times those of the drive.
+struct CorrectedGains {
+    double velocity = missing;
+    double per_drive = 1;
+    double k_p = missing, k_v = missing;     ///< the joint's own
+    std::optional<GainChart> before, after;  ///< over the same gains, with the joint's own
+    Trajectory motion_before, motion_after;  ///< simulated, with the terms that no linear theory has
+    DesignPoint at_right;                    ///< on `after`, where there are right gains
+    std::optional<GainDesign> right;         ///< least noise of the link, in the corrected joint
+    Requirements required;
+    bool noise_is_stated = false, rate_is_stated = false;
+    std::string refused;  ///< why no gains were looked for
+};
+
+/// Nothing but the velocity where the data show no motion.
+CorrectedGains corrected_gains(const Joint& before, const Joint& after, double velocity, const ParallelFor& parallel);
+
+}  // namespace stickslip

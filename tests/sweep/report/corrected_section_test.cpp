@@ -1,0 +1,101 @@
+// What the page of a diagnosis says of the gains: the chart of both joints, how they move, and which gains are right.
+#include "sweep/report/pages/corrected_section.h"
+
+#include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/joints.h"
+#include "tests/in_order.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace stickslip;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const StabilityMap* map_of(const Section& section, const std::string& id)
+{
+    for (const auto& figure : section.figures)
+        if (figure.id == id) return &std::get<StabilityMap>(figure.picture);
+    return nullptr;
+}
+
+Joint with_length(double L)
+{
+    Joint joint = example_joint(60e3, 10, 1e-3);
+    std::get<RateAndState>(joint.friction.law).L[0] = L;
+    return joint;
+}
+
+}  // namespace
+
+TEST_CASE("the page of a cause shows both joints over their gains, and gains that are right", "[report]")
+{
+    // k_cr = ((B − A − k_v V_0)/L)(1 + m V_0/(L C)): 53.9 kN/m, and 117 kN/m for half the length
+    const Joint before = with_length(1e-5), after = with_length(5e-6);
+    const auto gains = corrected_gains(before, after, 1e-3, test::in_order);
+    REQUIRE((gains.right && gains.right->feasible));
+    Joint right = after;
+    right.control.k_p = gains.right->best.k_p, right.control.k_v = gains.right->best.k_v;
+    CHECK(linear_verdict(right).state_variable.stable);
+    CHECK_FALSE(linear_verdict(after).state_variable.stable);
+
+    Section section;
+    add_corrected_gains(section, gains, units_of(before), "with frictional-memory");
+    REQUIRE((map_of(section, "map-nominal") && map_of(section, "map-corrected") && map_of(section, "map-right")));
+    const auto slides = [&](const char* id) {
+        const auto region = map_of(section, id)->design.region;
+        return region == Region::stable || region == Region::memory_only;
+    };
+    CHECK(slides("map-nominal"));
+    CHECK_FALSE(slides("map-corrected"));
+    CHECK(slides("map-right"));
+    CHECK(map_of(section, "map-nominal")->x.values == map_of(section, "map-corrected")->x.values);
+    CHECK_THAT(section.text, Contains("Right for the joint with frictional-memory would be k_{p} = "));
+    CHECK_THAT(section.text, Contains("states no noise") && Contains("states no period, and 1 ms was taken"));
+    CHECK_THAT(section.tables[0].rows[0][1], Contains("1 mm/s") && !Contains("between"));
+    CHECK_THAT(section.tables[0].rows[1][1], Contains("between"));
+}
+
+TEST_CASE("right gains are no softer than the joint's own where those may stay", "[report]")
+{
+    // friction that only damps: least noise alone would give the position up
+    Joint before = example_joint(8e3, 120, 1e-2);
+    before.friction.law = CoulombViscous{8, 15};
+    Joint after = before;
+    after.mechanism.inertia *= 1.3;
+    const auto gains = corrected_gains(before, after, 1e-2, test::in_order);
+    REQUIRE((gains.right && gains.right->feasible));
+    CHECK(gains.right->best.k_p >= 8e3 * (1 - 1e-9));
+}
+
+TEST_CASE("what acts by position or time enters by simulation", "[report]")
+{
+    // 100 N/mm of cogging beside 60 N/mm of the loop: linear theory has no term for it
+    Joint before = example_joint(60e3, 200, 1e-3);
+    before.friction.law = CoulombViscous{5, 50};
+    Joint after = before;
+    after.load.cogging.amplitude = 100, after.load.cogging.periods = 1e3;
+    CHECK(linear_verdict(after).state_variable.stable);
+    const auto gains = corrected_gains(before, after, 1e-3, test::in_order);
+    Section section;
+    add_corrected_gains(section, gains, units_of(before), "with cogging");
+    CHECK_THAT(section.tables[0].rows[0][1], Contains("1 mm/s") && !Contains("between"));
+    CHECK_THAT(section.tables[0].rows[1][1], Contains("between"));
+    CHECK(gains.motion_after.time.back() > 2 * 2 * 3.14 / (1e3 * 1e-3));  // two turns of the cogging
+}
+
+TEST_CASE("a joint that stands still or controls a force is offered no gains", "[report]")
+{
+    const Joint joint = with_length(1e-5);
+    Section section;
+    add_corrected_gains(section, corrected_gains(joint, joint, missing, test::in_order), units_of(joint),
+                        "with nothing");
+    CHECK(section.tables.empty());
+    Joint forced = joint;
+    forced.control.kind = ControlKind::force;
+    add_corrected_gains(section, corrected_gains(forced, forced, 1e-3, test::in_order), units_of(joint),
+                        "with nothing");
+    CHECK_THAT(section.text, Contains("No gains were looked for: the motor is a source of force"));
+}

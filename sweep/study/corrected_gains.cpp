@@ -1,9 +1,9 @@
 #include "sweep/study/corrected_gains.h"
 
+#include "analysis/diagnosis/diagnose.h"
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
 #include "analysis/simulation/simulate.h"
-#include "analysis/stability/frequency_search.h"
 #include "sweep/study/stable_windows.h"
 
 #include <algorithm>
@@ -19,22 +19,6 @@ namespace {
 constexpr double assumed_noise = 1e-9, assumed_period = 1e-3;  // m or rad, s
 
 constexpr double beside = 3;  ///< how far a chart reaches beyond the outermost gain that it is about, as a factor
-
-/// Behind dead time without ticks each pair of gains costs a search for roots: a page looks at fewer than design does.
-class SearchOfAPage {
-  public:
-    explicit SearchOfAPage(const Joint& joint)
-    {
-        constexpr double less = 0.1;
-        if (loop_kind(joint) == LoopKind::continuous) set_search_effort(less * usual_);
-    }
-    ~SearchOfAPage() { set_search_effort(usual_); }
-    SearchOfAPage(const SearchOfAPage&) = delete;
-    SearchOfAPage& operator=(const SearchOfAPage&) = delete;
-
-  private:
-    double usual_ = search_effort();
-};
 
 void take(Interval& range, double value)
 {
@@ -66,7 +50,6 @@ void look_for_gains(CorrectedGains& found, const Joint& joint, const Interval& e
     if (!found.noise_is_stated) r.noise.position = assumed_noise;
     if (!found.rate_is_stated) r.noise.period = assumed_period;
     r.front_points = 2;  // the page shows no front
-    const SearchOfAPage search(joint);
     try {
         for (const double floor : {found.k_p, lower_stiffness(found, ends), not_set}) {
             if (floor > ends.high) continue;  // known to be too stiff, and a search that finds nothing is a long one
@@ -74,8 +57,11 @@ void look_for_gains(CorrectedGains& found, const Joint& joint, const Interval& e
             found.right = design_gains(joint, r, parallel);
             if (found.right->feasible || !found.right->decided || !(floor > 0)) break;
         }
+    } catch (const gap::Interrupted&) {
+        found.none = NoGains::interrupted;
     } catch (const std::exception& e) {
-        found.refused = e.what();
+        found.none = NoGains::refused;
+        found.refusal = e.what();
     }
 }
 
@@ -139,13 +125,16 @@ CorrectedGains corrected_gains(const Joint& before, const Joint& after, double v
     const double duration = std::fmax(duration_for(documented, velocity), duration_for(corrected, velocity));
     found.motion_before = motion_of(documented, duration), found.motion_after = motion_of(corrected, duration);
     if (before.control.kind != ControlKind::position) {
-        found.refused = "the motor is a source of force, whose loop has no gains to choose";
+        found.none = NoGains::force_control;
         return found;
     }
     Interval k_p{missing, missing};
     try {
         take_windows(k_p, after, velocity, found.per_drive);
-        look_for_gains(found, corrected, k_p, parallel);
+        if (loop_kind(corrected) == LoopKind::continuous && corrected.control.delay > 0)
+            found.none = NoGains::dead_time;
+        else
+            look_for_gains(found, corrected, k_p, parallel);
         take_windows(k_p, before, velocity, found.per_drive);
         draw_charts(found, documented, corrected, k_p);
     } catch (const std::exception&) {  // no such theory for this joint: the windows above say why

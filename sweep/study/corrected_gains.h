@@ -10,6 +10,15 @@
 
 namespace stickslip {
 
+/// Why no gains were looked for.
+enum class NoGains {
+    looked_for,
+    force_control,  ///< the motor is a source of force, whose loop has no gains to choose
+    dead_time,      ///< without ticks: each pair of gains costs a search for roots, and a page has no minutes for it
+    interrupted,
+    refused  ///< by design, which says why
+};
+
 /// Of the documented joint and of the corrected one, at one velocity. Gains of charts and of the design are counted at
 /// the joint, `per_drive` times those of the drive.
 struct CorrectedGains {
@@ -22,7 +31,8 @@ struct CorrectedGains {
     std::optional<GainDesign> right;         ///< least noise of the link, in the corrected joint
     Requirements required;
     bool noise_is_stated = false, rate_is_stated = false;
-    std::string refused;  ///< why no gains were looked for
+    NoGains none = NoGains::looked_for;
+    std::string refusal;  ///< of design, where it refused
 };
 
 /// Nothing but the velocity where the data show no motion.

@@ -95,7 +95,7 @@ int check_gap(const GapCheckQuestion& question, const Invocation& invocation)
         throw BadInput(reasons);
     }
     const auto now = diagnosis_json(found.diagnosis, found.windows);
-    if (!question.directory.empty()) write_joint_diagnosis(found, question.directory, invocation.command, true);
+    if (!question.directory.empty()) write_joint_diagnosis(found, question.directory, invocation, true);
     if (question.update) {
         const auto facts = diagnosis_facts(now, question.baseline);
         if (facts.interrupted) return exit_interrupted;  // half an answer is no baseline

@@ -173,10 +173,15 @@ int diagnose(const Options& options, const Invocation& invocation)
         fmt::print("{}", joint_diagnosis_json(found));
     else
         print_answer(found, given);
-    write_joint_diagnosis(found, directory, invocation.command, !options.no_report);
-    if (options.json) return exit_code_of(d, found.contradicted);
-    fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
-    if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
+    write_joint_diagnosis(found, directory, invocation, !options.no_report);
+    if (!options.json) {
+        fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
+        if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
+    }
+    if (invocation.interrupted && !d.interrupted && !found.contradicted) {
+        say("interrupted: the diagnosis is written, its page lacks gains\n");
+        return exit_interrupted;
+    }
     return exit_code_of(d, found.contradicted);
 }
 

@@ -13,6 +13,7 @@
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
+#include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/write_linked_report.h"
@@ -135,7 +136,7 @@ std::string joint_diagnosis_json(const JointDiagnosis& found)
 }
 
 void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
-                           const std::string& command, bool page, const JointOfRobot& of)
+                           const Invocation& invocation, bool page, const JointOfRobot& of)
 {
     const auto& [d, before, after, windows, contradicted, rig] = found;
     remove_earlier(directory);
@@ -147,10 +148,14 @@ void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::p
         const bool named = d.verdict == Verdict::gap && !rig;
         const double velocity = named ? reported_velocity(before, d.usual_speed) : missing;
         const auto moved = moved_boundary(before, after, velocity);
-        const auto gains = corrected_gains(before, after, velocity, parallel_for_each);
-        auto report =
-            diagnosis_report(d, before, after, moved, gains, {{"version", program_version()}, {"command", command}},
-                             corrections(corrected, before, after, rig), rig);
+        StageLine line;
+        line.stage("gains that would be right");
+        const auto gains = corrected_gains(
+            before, after, velocity,
+            until_interrupted<gap::Interrupted>(invocation.interrupted, line.counted(parallel_for_each)));
+        auto report = diagnosis_report(d, before, after, moved, gains,
+                                       {{"version", program_version()}, {"command", invocation.command}},
+                                       corrections(corrected, before, after, rig), rig);
         if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
         write_linked_report(report, directory, {}, {of.robot, of.page});
     }

@@ -42,7 +42,7 @@ std::string joint_diagnosis_json(const JointDiagnosis& found);
 /// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where requested, the page; what an earlier answer
 /// left there goes.
 void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
-                           const std::string& command, bool page, const JointOfRobot& of = {});
+                           const Invocation& invocation, bool page, const JointOfRobot& of = {});
 
 /// The exit code of `diagnose`.
 int exit_code_of(const Diagnosis& d, bool contradicted);

@@ -74,7 +74,7 @@ JointOutcome outcome_of(const RobotQuestion& question, const RobotJoints& robot,
         StageLine line;
         const auto found = diagnose_joint(joint, given, invocation, line, about);
         write_joint_diagnosis(
-            found, folder, invocation.command, !question.no_report,
+            found, folder, invocation, !question.no_report,
             {asked.name, robot.title.empty() ? "All joints of the robot" : robot.title, "../robot.html"});
         outcome.status = Status::diagnosed;
         outcome.diagnosis = found.diagnosis;

@@ -4,6 +4,7 @@
 #include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/thinned_line.h"
+#include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <cmath>
@@ -34,9 +35,26 @@ std::string premises(const CorrectedGains& g, Units units)
     return text;
 }
 
+std::string no_gains_words(const CorrectedGains& g)
+{
+    switch (g.none) {
+        case NoGains::force_control:
+            return "the motor is a source of force, whose loop has no gains to choose";
+        case NoGains::dead_time:
+            return "behind dead time without a period each pair of gains takes a search for roots; stickslip design "
+                   "corrected-joint.toml does it";
+        case NoGains::interrupted:
+            return "the search was interrupted; stickslip design corrected-joint.toml does it";
+        case NoGains::looked_for:
+        case NoGains::refused:
+            break;
+    }
+    return g.refusal;
+}
+
 std::string right_gains_words(const CorrectedGains& g, Units units, const std::string& with)
 {
-    if (!g.refused.empty()) return " No gains were looked for: " + g.refused + ".";
+    if (g.none != NoGains::looked_for) return " No gains were looked for: " + no_gains_words(g) + ".";
     if (!g.right || !g.right->decided)
         return " No gains can be right: the joint " + with + " has no steady sliding here.";
     const auto& best = g.right->best;

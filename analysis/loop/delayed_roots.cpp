@@ -158,7 +158,6 @@ double delayed_side(const DelayedLoop& loop, double gain)
 {
     if (!loop.A.allFinite()) return not_set;
     const OpenedLoop open(loop);
-    if (loses_all_digits(loop, open)) return not_set;
     // to either side of what rounding leaves of integrators and of roots on the axis
     constexpr double near = 1e-6;
     const double aside = near * open.turns_in();

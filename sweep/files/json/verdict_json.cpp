@@ -61,6 +61,12 @@ Json state_variable_json(const StateVariableVerdict& v)
             {"doubtful_omega", intervals_json(v.doubtful)}};
 }
 
+/// A code: words call the loops alike, and may change.
+std::string_view kind_name(LoopKind kind)
+{
+    return kind == LoopKind::ideal ? "ideal" : kind == LoopKind::continuous ? "continuous" : "sampled";
+}
+
 }  // namespace
 
 Json loop_json(const LoopUse& loop)
@@ -71,7 +77,7 @@ Json loop_json(const LoopUse& loop)
                           {"why", why_text(term.why)},
                           {"why_code", name_of(term.why)},
                           {"matters", term.matters}});
-    return {{"kind", loop_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
+    return {{"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
 }
 
 Json intervals_json(const std::vector<Interval>& list)

@@ -100,7 +100,7 @@ std::vector<Headline> margins_headlines(const MarginsAnswer& a)
         list.push_back({Tone::neutral, off_text(a.tolerance_each),
                         "in " + uncertain_numbers(a.nearest, units) + " at once cannot reach the boundary (distance " +
                             plain_number(a.nearest.distance) + ")"});
-    if (a.worst)
+    if (a.worst && is_set(a.worst->instability))
         list.push_back({a.worst->instability < 0 ? Tone::good : Tone::bad,
                         with_unit(a.worst->instability, Quantity::rate, units),
                         "max Re s of the worst joint within the stated uncertainty; stable below 0"});

@@ -56,10 +56,12 @@ Report margins_report(const MarginsAnswer& a)
     report.subtitle =
         gains_text(a.joint) + " · V_{0} = " + with_unit(a.joint.control.V0, Quantity::velocity, units_of(a.joint));
     report.verdict = margins_text(a);
-    const bool worst_slides = !a.worst || a.worst->instability < 0;
+    const bool worst_grows = a.worst && a.worst->instability >= 0,
+               worst_is_open = a.worst && std::isnan(a.worst->instability);
     report.tone = !a.nearest.decided                 ? Headline::Tone::warning
-                  : a.nearest.stable && worst_slides ? Headline::Tone::good
-                                                     : Headline::Tone::bad;
+                  : !a.nearest.stable || worst_grows ? Headline::Tone::bad
+                  : worst_is_open                    ? Headline::Tone::warning
+                                                     : Headline::Tone::good;
     report.tone = without_what_matters(report.tone, a.loop);
     if (a.left_out) {
         tell_left_out(*a.left_out, a.nearest.stable, report);

@@ -60,4 +60,4 @@ def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pan
     except MemoryError:
         raise StickslipError(f"{path}: is damaged: a size in it exceeds memory") from None
     except Exception as error:  # whatever a parser trips over in a damaged file
-        raise StickslipError(f"{path}: is damaged or of another kind than its suffix says: {error}") from error
+        raise StickslipError(f"{path}: is damaged or of another kind than its suffix says: {str(error).strip()}") from error

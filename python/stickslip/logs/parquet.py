@@ -1,4 +1,4 @@
-"""LeRobot data sets: Parquet with lists in observation.state and action. Needs pyarrow, which Debian 12 does not have."""
+"""LeRobot data sets: Parquet with lists in observation.state and action. Needs pyarrow, which Debian 12 and 13 do not have."""
 from __future__ import annotations
 
 import json
@@ -22,12 +22,22 @@ def _joint_names(path: Path, feature: str) -> list[str]:
     return []
 
 
+def _joints(path: Path, table, name: str):
+    """The column of lists as rows of joints; a column of numbers is one joint's."""
+    import numpy
+
+    lists = [numpy.atleast_1d(values) for values in table[name]]
+    lengths = sorted(set(len(values) for values in lists))
+    if len(lengths) > 1:
+        raise StickslipError(f"{path}: {name} has {lengths[0]} to {lengths[-1]} joints a row, expected as many in each")
+    return numpy.stack(lists)
+
+
 def read(path: Path, joint: str | None = None, episode: int | None = None, **options: Any):
     try:
         from pyarrow import parquet
     except ImportError:
         raise StickslipError(f"{path}: reading Parquet needs pyarrow (pip install pyarrow)") from None
-    import numpy
 
     table = parquet.read_table(path).to_pandas()
     if "observation.state" not in table or "action" not in table:
@@ -40,7 +50,9 @@ def read(path: Path, joint: str | None = None, episode: int | None = None, **opt
             table = table[table["episode_index"] == episode]
             if table.empty:
                 raise StickslipError(f"{path}: has no episode {episode}, it has {episodes[0]} to {episodes[-1]}")
-    state, action = numpy.stack(table["observation.state"]), numpy.stack(table["action"])
+    state, action = _joints(path, table, "observation.state"), _joints(path, table, "action")
+    if state.shape != action.shape:
+        raise StickslipError(f"{path}: observation.state has {state.shape[1]} joints, action has {action.shape[1]}")
     names = _joint_names(path, "observation.state") or [str(i) for i in range(state.shape[1])]
     index = joint_index(str(path), names, joint)
     guessed = ["observation.state read as position, action as reference, both in rad: many data sets hold degrees or per cent of travel"]

@@ -9,6 +9,7 @@
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/experiment_text.h"
 #include "sweep/words/export_text.h"
+#include "sweep/words/inertia_text.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/margins_text.h"
@@ -49,6 +50,11 @@ std::string design_words(Region)
 std::string cause_text(const Cause&, const Joint&, const Joint&)
 {
     return "#cause";
+}
+
+std::string impossible_inertia_text(const ImpossibleInertia&)
+{
+    return "#impossible-inertia";
 }
 
 std::string integral_text(const IntegralCost&, Units)

@@ -11,7 +11,7 @@ from collections import defaultdict
 from pathlib import Path
 
 DRAWS = ("report/", "words/", "files/json/")
-COMPUTES = ("boundary/", "design/", "diagnosis/", "loop/", "numerics/", "simulation/", "stability/", "friction/imposed_velocity")
+COMPUTES = ("boundary/", "design/", "diagnosis/", "loop/", "numerics/", "simulation/", "stability/", "friction/")
 # Of these rooms, what reads a joint and solves nothing.
 READS = {
     "boundary/trace/coordinates": "the value of a key, or of a group of keys",

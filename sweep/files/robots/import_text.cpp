@@ -2,6 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/words/inertia_text.h"
 
 #include <fmt/format.h>
 
@@ -46,15 +47,6 @@ std::string with_missing(std::string text, const ImportAnswer& answer)
 }
 
 }  // namespace
-
-std::string impossible_inertia_text(const ImpossibleInertia& of)
-{
-    const auto& I = of.moments;
-    return fmt::format(
-        "{}: {} has the principal inertias {:.4g}, {:.4g} and {:.4g} kg·m², which no rigid body has: the greatest is "
-        "above the sum of the others. It counts as it is written.",
-        of.place, of.body, I[0], I[1], I[2]);
-}
 
 std::string import_text(const ImportAnswer& answer, const std::string& robot_file, const std::string& pose_file)
 {

@@ -9,7 +9,4 @@ namespace stickslip {
 /// With comments that say where each number comes from and which are still to be filled in.
 std::string import_text(const ImportAnswer& answer, const std::string& robot_file, const std::string& pose_file);
 
-/// Sentence.
-std::string impossible_inertia_text(const ImpossibleInertia& of);
-
 }  // namespace stickslip

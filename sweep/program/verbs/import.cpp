@@ -7,6 +7,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/words/inertia_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -20,7 +20,7 @@
 #include "sweep/report/pages/record_report.h"
 #include "sweep/report/pages/trajectory_report.h"
 #include "sweep/report/write_report.h"
-#include "sweep/study/control_force.h"
+#include "sweep/study/motion_curves.h"
 #include "sweep/words/detail_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/low_limit_text.h"
@@ -153,12 +153,13 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     const auto verdict = nonlinear_verdict(joint, outcome);
     simulation.cycle_period = verdict.period;
     const auto trajectory = simulate(joint, simulation);
-    const auto force = control_force(joint, trajectory);
-    auto report = trajectory_report(joint, trajectory, verdict, surroundings, force);
+    const auto curves = motion_curves(joint, trajectory);
+    auto report = trajectory_report(joint, trajectory, verdict, surroundings, curves);
     report.provenance = {{"version", program_version()}, {"command", invocation.command}};
     fmt::print("{}\n", plain_text(report.verdict));
     if (trajectory.time.empty()) return exit_undecided;
-    fmt::print("trajectory: {}\n", write_trajectory(joint, trajectory, force, options.directory).string());
+    fmt::print("trajectory: {}\n",
+               write_trajectory(joint, trajectory, curves.control_force, options.directory).string());
     tell_measures(measured(trajectory, commanded_velocity(joint)), units_of(joint), options.directory);
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     if (trajectory.reason == Reason::none) return exit_done;

@@ -15,11 +15,10 @@
 namespace stickslip {
 namespace {
 
-/// The last third of a motion's time: what it has settled to.
-std::vector<double> settled(const Trajectory& t, const std::vector<double>& values)
+/// What a motion has settled to.
+std::vector<double> settled(const MotionCurves& curves, const std::vector<double>& values)
 {
-    const auto from = std::lower_bound(t.time.begin(), t.time.end(), 2 * t.time.back() / 3) - t.time.begin();
-    return {values.begin() + from, values.end()};
+    return {values.begin() + static_cast<std::ptrdiff_t>(curves.settled_from), values.end()};
 }
 
 /// "between −1 µm and 3 µm": what a chart's last line spans.
@@ -39,29 +38,12 @@ const Friction& shown_friction(const Joint& joint)
     return *chain.body[chain.bodies - 1].friction;
 }
 
-/// f_ss between the least and the largest velocity, on both sides of rest where the motion reverses.
-LineChart::Line steady_curve(const Joint& joint, double low, double high)
-{
-    constexpr int points = 240;
-    const auto& friction = shown_friction(joint);
-    const double from = info(friction.law).needs_motion ? std::max(low, 1e-3 * high) : low;
-    LineChart::Line line{"steady sliding f_{ss}(V)", {}, {}, true};
-    for (int i = 0; i <= points; ++i) {
-        const double V = from + (high - from) * i / points;
-        if (V == 0) continue;
-        line.x.push_back(V);
-        line.y.push_back(steady_force(friction, V));
-    }
-    return line;
-}
-
 /// The velocity loop of what the motion has settled to, over the curve that friction without memory would follow.
-std::vector<LineChart::Line> friction_loop(const Joint& joint, const Trajectory& t)
+std::vector<LineChart::Line> friction_loop(const Trajectory& t, const MotionCurves& curves)
 {
-    constexpr double still = 1e-3;  // per commanded velocity: a motion that has settled has no loop
-    std::vector<LineChart::Line> lines{{"last third", settled(t, t.velocity), settled(t, t.friction)}};
-    const auto [low, high] = std::minmax_element(lines[0].x.begin(), lines[0].x.end());
-    if (*high - *low > still * std::abs(t.commanded_velocity)) lines.push_back(steady_curve(joint, *low, *high));
+    std::vector<LineChart::Line> lines{{"last third", settled(curves, t.velocity), settled(curves, t.friction)}};
+    const auto& steady = curves.steady_friction;
+    if (!steady.x.empty()) lines.push_back({"steady sliding f_{ss}(V)", steady.x, steady.y, true});
     return lines;
 }
 
@@ -173,7 +155,7 @@ std::vector<std::string> not_checked(const NonlinearVerdict& verdict)
 }  // namespace
 
 Report trajectory_report(const Joint& joint, const Trajectory& t, const NonlinearVerdict& verdict,
-                         const SimulatedSurroundings& surroundings, const std::vector<double>& control_force)
+                         const SimulatedSurroundings& surroundings, const MotionCurves& curves)
 {
     const Units units = units_of(joint);
     const auto time = axis_label("time t", Quantity::time, units),
@@ -191,7 +173,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
         return report;
     }
     const bool forced = surroundings.linear || !surroundings.normal_load.value.empty();
-    const auto last_third = range(settled(t, t.velocity), Quantity::velocity, units);
+    const auto last_third = range(settled(curves, t.velocity), Quantity::velocity, units);
     report.verdict = (forced ? "" : ending_text(verdict) + " ") + "In the last third of " +
                      with_unit(t.time.back(), Quantity::time, units) + " the velocity stays " + last_third + ".";
     if (!forced) {
@@ -209,22 +191,22 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     auto in_time = chart_of("Excess position in time", time, position, {{"x", t.time, t.position}});
     if (surroundings.linear && surroundings.normal_load.value.empty())
         in_time.lines.push_back(linear_line(surroundings.linear->memory, t));
-    section.figures.push_back(
-        line_figure("position", std::move(in_time), "Position of the link beyond its steady path.",
-                    "In the last third it stays " + range(settled(t, t.position), Quantity::position, units) + "."));
-    section.figures.push_back(path_figure(t, control_force, units));
+    section.figures.push_back(line_figure(
+        "position", std::move(in_time), "Position of the link beyond its steady path.",
+        "In the last third it stays " + range(settled(curves, t.position), Quantity::position, units) + "."));
+    section.figures.push_back(path_figure(t, curves.control_force, units));
     section.figures.push_back(
         line_figure("phase",
                     chart_of("Phase portrait", position, velocity,
                              {{"whole motion", t.position, t.velocity, true},
-                              {"last third", settled(t, t.position), settled(t, t.velocity)}}),
+                              {"last third", settled(curves, t.position), settled(curves, t.velocity)}}),
                     "Velocity over excess position; solid is what the motion has settled to.",
                     "Velocity over excess position; the last third encloses velocities " + last_third + "."));
     section.figures.push_back(line_figure(
-        "loop", chart_of("Friction over velocity", velocity, friction, friction_loop(joint, t)),
+        "loop", chart_of("Friction over velocity", velocity, friction, friction_loop(t, curves)),
         "Friction against velocity. Where the motion leaves the dashed curve of steady sliding, friction remembers or "
         "holds the joint at rest.",
-        "In the last third friction stays " + range(settled(t, t.friction), Quantity::effort, units) + "."));
+        "In the last third friction stays " + range(settled(curves, t.friction), Quantity::effort, units) + "."));
     report.sections.push_back(std::move(section));
     if (forced) report.sections.push_back(surroundings_section(surroundings, time, units));
     Section outcome{"outcome", "Where this disturbance ends", "", {}, {nonlinear_table(joint, verdict)}};

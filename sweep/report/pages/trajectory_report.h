@@ -5,6 +5,7 @@
 #include "analysis/results/report.h"
 #include "analysis/results/trajectory.h"
 #include "sweep/study/disturbed_motion.h"
+#include "sweep/study/motion_curves.h"
 
 #include <optional>
 
@@ -16,9 +17,8 @@ struct SimulatedSurroundings {
     SampledLoad normal_load;
 };
 
-/// `control_force` is the loop's, a value for each sample, or empty where it is not known.
 /// `verdict` is where the same disturbance ends without them; it stands beside the motion as a table.
 Report trajectory_report(const Joint& joint, const Trajectory& trajectory, const NonlinearVerdict& verdict,
-                         const SimulatedSurroundings& surroundings, const std::vector<double>& control_force = {});
+                         const SimulatedSurroundings& surroundings, const MotionCurves& curves);
 
 }  // namespace stickslip

@@ -1,7 +1,8 @@
-#include "sweep/study/control_force.h"
+#include "sweep/study/motion_curves.h"
 
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
+#include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_loop.h"
 
 #include <algorithm>
@@ -20,8 +21,6 @@ bool is_linear(const Joint& joint)
            });
 }
 
-}  // namespace
-
 std::vector<double> control_force(const Joint& joint, const Trajectory& motion)
 {
     const auto& c = joint.control;
@@ -37,6 +36,38 @@ std::vector<double> control_force(const Joint& joint, const Trajectory& motion)
         force.push_back(std::clamp(
             steady - k_p * motion.position[i] - k_v * (motion.velocity[i] - motion.commanded_velocity), -most, most));
     return force;
+}
+
+/// On the link, whose velocity is the motion's.
+Samples steady_friction(const Joint& joint, const Trajectory& motion, std::size_t settled_from)
+{
+    constexpr int points = 240;
+    constexpr double still = 1e-3;  // per commanded velocity: a motion that has settled has no loop
+    const auto [least, high] =
+        std::minmax_element(motion.velocity.begin() + static_cast<std::ptrdiff_t>(settled_from), motion.velocity.end());
+    if (*high - *least <= still * std::abs(motion.commanded_velocity)) return {};
+    const Chain chain = chain_of(joint);
+    const auto& friction = *chain.body[chain.bodies - 1].friction;
+    const double low = info(friction.law).needs_motion ? std::max(*least, 1e-3 * *high) : *least;
+    Samples curve;
+    for (int i = 0; i <= points; ++i) {
+        const double V = low + (*high - low) * i / points;
+        if (V == 0) continue;
+        curve.x.push_back(V);
+        curve.y.push_back(steady_force(friction, V));
+    }
+    return curve;
+}
+
+}  // namespace
+
+MotionCurves motion_curves(const Joint& joint, const Trajectory& motion)
+{
+    if (motion.time.empty()) return {};
+    const auto& time = motion.time;
+    const auto from =
+        static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), 2 * time.back() / 3) - time.begin());
+    return {from, control_force(joint, motion), steady_friction(joint, motion, from)};
 }
 
 }  // namespace stickslip

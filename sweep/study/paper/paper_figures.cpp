@@ -36,14 +36,14 @@ std::vector<PaperModel> paper_models()
     force.control.kind = ControlKind::force;
     const Joint at_motor = three_mass_to_two_mass(three, Placement::at_motor).joint,
                 at_joint = three_mass_to_two_mass(three, Placement::at_joint).joint;
-    std::vector<PaperModel> models = {{"fig-4", lever, {}},
-                                      {"fig-5", lever_to_three_mass(lever).joint, {}},
-                                      {"fig-6-motor", at_motor, {}},
-                                      {"fig-6-joint", at_joint, {}},
-                                      {"fig-7a", two_mass_to_single_mass(at_motor).joint, {}},
-                                      {"fig-7b", two_mass_to_single_mass(force).joint, {}}};
-    for (auto& model : models) model.verdict = linear_verdict(model.joint);
-    return models;
+    std::vector<PaperModel> drawn = {{"fig-4", lever, {}},
+                                     {"fig-5", lever_to_three_mass(lever).joint, {}},
+                                     {"fig-6-motor", at_motor, {}},
+                                     {"fig-6-joint", at_joint, {}},
+                                     {"fig-7a", two_mass_to_single_mass(at_motor).joint, {}},
+                                     {"fig-7b", two_mass_to_single_mass(force).joint, {}}};
+    for (auto& model : drawn) model.verdict = linear_verdict(model.joint);
+    return drawn;
 }
 
 PaperAnswer paper_answer()

@@ -90,12 +90,12 @@ constexpr std::string_view name_of(Detail detail)
 
 /// Larger disturbances that are tried where the stated one decays: always a start from near rest, and
 enum class LargerTried : std::uint8_t {
-    none,           ///< nothing was tried
-    near_rest,      ///< no other
-    pulls,          ///< pulls of the spring from either side, by 1.25 and 3 V_0/|s|
-    swings,         ///< a large swing of every lightly damped mode
-    pull,           ///< a pull of the spring by 3 V_0/|s|
-    pull_of_spring  ///< by 3 V_0 √(m/k_p), where the slowest mode is that of the integral
+    none,            ///< nothing was tried
+    from_near_rest,  ///< no other
+    pulls,           ///< pulls of the spring from either side, by 1.25 and 3 V_0/|s|
+    swings,          ///< a large swing of every lightly damped mode
+    pull,            ///< a pull of the spring by 3 V_0/|s|
+    pull_of_spring   ///< by 3 V_0 √(m/k_p), where the slowest mode is that of the integral
 };
 inline constexpr std::array<std::string_view, 6> larger_tried_names{"none",   "near-rest", "pulls",
                                                                     "swings", "pull",      "pull-of-spring"};

@@ -89,7 +89,7 @@ std::string larger_tried_text(LargerTried tried)
     switch (tried) {
         case LargerTried::none:
             return "";
-        case LargerTried::near_rest:
+        case LargerTried::from_near_rest:
             return rest;
         case LargerTried::pulls:
             return rest + "; pulls of the spring by 1.25, −1.25 and 3 V_0/|s|";

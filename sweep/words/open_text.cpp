@@ -21,11 +21,11 @@ std::string open_text(const NonlinearVerdict& verdict)
     return open_ending_text(verdict) + " About small disturbances:";
 }
 
-std::string contradicted_text(const std::vector<std::string>& missing, bool grows)
+std::string contradicted_text(const std::vector<std::string>& terms, bool grows)
 {
     return std::string(grows ? "Stick-slip: small disturbances grow" : "Smooth sliding: small disturbances decay") +
            " in the simulation of this joint. The linear theory, which has no term for " +
-           fmt::format("{}", fmt::join(missing, ", ")) + ", says otherwise:";
+           fmt::format("{}", fmt::join(terms, ", ")) + ", says otherwise:";
 }
 
 }  // namespace stickslip

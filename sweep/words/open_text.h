@@ -15,6 +15,6 @@ std::string open_text(const NonlinearVerdict& verdict);
 
 /// One sentence before the linear verdict where the simulation, which has these terms that the linear theory lacks,
 /// shows the opposite: that small disturbances grow, or that they decay.
-std::string contradicted_text(const std::vector<std::string>& missing, bool grows);
+std::string contradicted_text(const std::vector<std::string>& terms, bool grows);
 
 }  // namespace stickslip

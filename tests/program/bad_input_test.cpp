@@ -268,7 +268,7 @@ TEST_CASE("a limit below the friction of steady sliding is said with its place b
     const std::string says =
         "effort_limit: is 50 N, and steady sliding at V_0 = 1 mm/s takes 60 N (friction 60 N): there is no steady "
         "sliding";
-    for (const std::string rest :
+    for (const std::string& rest :
          {"evaluate '" + weak + "'", "boundary '" + weak + "' --along control.k_p=1e4..1e6 -o '" + (folder / "b") + "'",
           "margins '" + weak + "'", "sweep '" + weak + "' --no-report -o '" + (folder / "s") + "'",
           "simulate '" + weak + "' -o '" + (folder / "m") + "'",

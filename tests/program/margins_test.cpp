@@ -39,8 +39,8 @@ TEST_CASE("a velocity backwards is a parameter as one forwards is", "[program][m
                      "[joint]\ninertia = 1.0\n[control]\nk_p = 1e4\nk_v = 20.0\nV0 = -4e-3\n"
                      "[friction]\nlaw = \"stribeck\"\nc0 = 10.0\nc1 = 5.0\nc2 = 0.5\nc3 = 2e-3\nc4 = 2.0\n");
     const auto row = [](const Json& json, const std::string& path) {
-        for (const auto& row : json["alone"])
-            if (row["path"] == path) return row;
+        for (const auto& alone : json["alone"])
+            if (alone["path"] == path) return alone;
         return Json();
     };
     const std::string call = "margins '" + joint + "' --uncertain control.V0=10% --json ";

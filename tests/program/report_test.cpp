@@ -157,7 +157,7 @@ TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and
     CHECK_THAT(stickslip(again).output, Contains("no boundary near"));
 
     // without it, or with that of another sweep, it is made again
-    for (const std::string other :
+    for (const std::string& other :
          {std::string(), std::string("{\"format\":\"stickslip-sweep/2\",\"plan_id\":\"x\"}")}) {
         std::filesystem::remove(stored);
         if (!other.empty()) folder.write("a/answer.json", other);

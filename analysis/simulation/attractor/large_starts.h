@@ -12,7 +12,7 @@ namespace stickslip {
 /// Disturbed states from which motions are followed until one does not come back, and what they are.
 struct LargeStarts {
     std::vector<FlowVector> y;
-    LargerTried tried = LargerTried::near_rest;
+    LargerTried tried = LargerTried::from_near_rest;
 };
 
 /// The start from near rest, always; pulls of the spring from either side, where friction with memory lets the mass

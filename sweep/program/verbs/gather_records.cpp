@@ -35,8 +35,8 @@ void refuse_twice(const std::vector<std::string>& files)
 {
     for (std::size_t i = 0; i < files.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            std::error_code missing;  // reading says so
-            if (std::filesystem::equivalent(files[i], files[j], missing))
+            std::error_code failed;  // reading says so
+            if (std::filesystem::equivalent(files[i], files[j], failed))
                 throw BadInput(files[i] + ": is given twice, expected every record once");
         }
 }

@@ -163,15 +163,16 @@ JointMotion measured_again(const std::vector<double>& time, const std::vector<do
 }
 
 std::vector<JointLoad> arm_loads(const Robot& robot, const std::vector<int>& moved,
-                                 const std::vector<JointMotion>& motions, const std::vector<double>& pose)
+                                 const std::vector<JointMotion>& joint_motions, const std::vector<double>& pose)
 {
     std::vector<JointLoad> loads(moved.size());
-    const std::size_t rows = motions.empty() ? 0 : motions.front().position.size();
+    const std::size_t rows = joint_motions.empty() ? 0 : joint_motions.front().position.size();
     std::vector<double> q = pose, dq(pose.size()), ddq(pose.size());
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t k = 0; k < moved.size(); ++k) {
             const auto j = static_cast<std::size_t>(moved[k]);
-            q[j] = motions[k].position[row], dq[j] = motions[k].velocity[row], ddq[j] = motions[k].acceleration[row];
+            q[j] = joint_motions[k].position[row], dq[j] = joint_motions[k].velocity[row],
+            ddq[j] = joint_motions[k].acceleration[row];
         }
         for (std::size_t k = 0; k < moved.size(); ++k) {
             const auto j = static_cast<std::size_t>(moved[k]);

@@ -39,6 +39,6 @@ JointMotion measured_again(const std::vector<double>& time, const std::vector<do
 
 /// Loads of those joints that `moved` has, by index of the joint; the others stand still at the `pose`.
 std::vector<JointLoad> arm_loads(const Robot& robot, const std::vector<int>& moved,
-                                 const std::vector<JointMotion>& motions, const std::vector<double>& pose);
+                                 const std::vector<JointMotion>& joint_motions, const std::vector<double>& pose);
 
 }  // namespace stickslip

@@ -135,7 +135,7 @@ TEST_CASE("sampled loop: a joint whose rates leave no time step is refused in wo
 
 TEST_CASE("sampled loop: cycles are those of another integrator", "[sampled][slow]")
 {
-    for (const auto [k_p, dead_ticks] : {std::pair{45e3, 0}, {58e3, 1}, {62e3, 2}}) {
+    for (const auto& [k_p, dead_ticks] : {std::pair{45e3, 0}, {58e3, 1}, {62e3, 2}}) {
         const auto verdict = loop_verdict(ticked_joint(k_p, dead_ticks * 1e-3), {.region = false});
         INFO("k_p " << k_p << ", dead ticks " << dead_ticks);
         CHECK(verdict.cycle.amplitude == Approx(amplitude_by_runge_kutta(k_p, dead_ticks, 20)).epsilon(1e-4));

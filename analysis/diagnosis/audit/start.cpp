@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/audit/start.h"
 
+#include "analysis/diagnosis/records/start_velocity.h"
+
 namespace stickslip::gap {
 namespace {
 
@@ -29,7 +31,7 @@ void find_start(Case& c, std::vector<Note>& notes)
     const double at_rest = missed_at_start(c);
     if (!(at_rest > clearly)) return;
     Case moving = c;
-    moving.ticks.at_rest = false, moving.ticks.initial_velocity = velocity_at_start(c.ticks);
+    start_moving(moving.ticks);
     if (!(missed_at_start(moving) < much_better * at_rest)) return;
     c.ticks = std::move(moving.ticks);
     notes.push_back({Note::Code::starts_moving, c.ticks.name});

@@ -37,6 +37,12 @@ class Controller {
         loop_.emplace(joint_, 0, gear_);
         loop_->state.integral = integral;
     }
+    /// As if it had read this motion of one velocity for ever, the last reading a step ago.
+    void restart_moving(double position, double velocity, double step, double integral)
+    {
+        restart(integral);
+        loop_->arrive(position, velocity, step);
+    }
     /// A new reading, one step after the last. `exact` is used where the estimate is the exact velocity.
     void read(double position, double step, double exact)
     {

@@ -43,6 +43,9 @@ class Mechanics {
     /// Begins where this lane's tick is, with this velocity, this far beyond the reading.
     void start(int lane, double velocity, Rest rest = Rest::pressed, double beyond = 0);
 
+    /// Behind the actuator's lag every lane holds this command, as one that moves already does.
+    void hold(double command) { state_.lagged = logged_lagged_ = P(command); }
+
     /// Every lane that goes is where this one is, on the same record; -1: they differ.
     void read_once(int lane)
     {

@@ -41,11 +41,16 @@ Trace simulate_closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t
     mechanics.load(0, plant, ticks, ticks.straight_command ? drive : out.command, 0);
     // where the joint stands at the start is known to a step of its encoder, and in a loop that hunts across the steps
     // two starts end far apart
+    SeededNoise at_start(~seed);
     const double within_step =
-        seed != 0 && sensor.encoder_quantum > 0 ? sensor.encoder_quantum * (SeededNoise(~seed).uniform() - 0.5) : 0;
-    mechanics.start(0, ticks.initial_velocity, rest_at_start(plant, ticks), within_step);
+        seed != 0 && sensor.encoder_quantum > 0 ? sensor.encoder_quantum * (at_start.uniform() - 0.5) : 0;
+    const double velocity =
+        ticks.initial_velocity + (seed != 0 && !ticks.at_rest ? ticks.initial_velocity_error * at_start() : 0);
+    mechanics.start(0, velocity, rest_at_start(plant, ticks), within_step);
     Controller controller(plant);
     controller.restart(ticks.initial_integral);
+    if (!ticks.at_rest)
+        controller.restart_moving(mechanics.reading()[0], velocity, ticks.step[0], ticks.initial_integral);
     for (std::size_t k = 0; k < n; ++k) {
         double reading = mechanics.reading()[0];
         if (seed != 0) reading += sensor.position_noise * off;
@@ -58,6 +63,7 @@ Trace simulate_closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t
         out.command[k] = controller.command(ticks.reference[k], ticks.reference_rate[k], ticks.added(k), ticks.time[k]);
         drive[k] = out.command[k];
         if (k + 1 < n) drive[k + 1] = k == 0 ? drive[k] : 2 * drive[k] - drive[k - 1];
+        if (k == 0 && !ticks.at_rest) mechanics.hold(out.command[0]);
         out.effort[k] = mechanics.effort_now()[0] + (seed != 0 ? sensor.effort_noise * noise() : 0);
         if (k + 1 < n) mechanics.advance();
         if (seed != 0) off = kept * off + fresh * noise();

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/records/between_rows.h"
 #include "analysis/diagnosis/records/lost_rows.h"
+#include "analysis/diagnosis/records/start_velocity.h"
 #include "analysis/numerics/reference_rate.h"
 
 #include <algorithm>
@@ -68,12 +69,6 @@ void interpolate_halves(Ticks& t)
     for (std::size_t k = 0; k < t.size(); k += 2) rows.push_back(t.position[k]);
     for (std::size_t k = 0; k + 1 < rows.size(); ++k) t.position[2 * k + 1] = between(rows, k, 0.5);
     t.rebuilt = false;
-}
-
-double velocity_at_start(const Ticks& t)
-{
-    constexpr std::size_t few = 8;
-    return t.size() > few ? (t.position[few] - t.position[0]) / (t.time[few] - t.time[0]) : 0;
 }
 
 namespace {
@@ -216,7 +211,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
         joint.control.velocity_estimate.average == 1)
         rebuild_halves(t, joint);
     if (t.has_reference) fill_reference_rate(r, t);
-    if (!t.at_rest) t.initial_velocity = velocity_at_start(t);
+    if (!t.at_rest) start_moving(t);
     return t;
 }
 

@@ -52,7 +52,7 @@ struct Ticks {
     bool has_velocity = false, has_effort = false, has_reference = false;
     bool at_rest = true;
     double noise_kept = 0;  ///< part of a reading's noise that stays until the next tick, as behind a filter
-    double initial_velocity = 0;
+    double initial_velocity = 0, initial_velocity_error = 0;  ///< standard error
     double initial_integral = 0;  ///< of the controller's error: an excerpt begins amid a record
 
     double added(std::size_t k) const { return feed_forward.empty() ? 0 : feed_forward[k]; }  ///< to the command
@@ -78,9 +78,6 @@ Ticks on_clock(const Record& record, const Joint& joint);
 
 /// The first so many ticks alone.
 Ticks first_ticks(const Ticks& ticks, std::size_t count);
-
-/// Mean velocity over the first few ticks.
-double velocity_at_start(const Ticks& ticks);
 
 /// The reading at tick k − 1 between two rows of a log of every second tick, from its velocities, if these were
 /// filtered with this time constant: v_k = v_{k−2}(1−g)² + g(1−g) d_{k−1} + g d_k with g = T/(τ + T), and d_{k−1} + d_k

@@ -26,9 +26,7 @@ double LoopController::begin(double output, double velocity, double step)
     state.output = output;
     state.error = outside_dead_zone(steady.error);
     state.fresh = false;
-    auto& w = state.window;
-    for (std::size_t i = 0; i < w.size(); ++i)  // where it was before, in a frame that may move at another velocity
-        w[i] = state.reading + (frame_ - velocity) * step * static_cast<double>(w.size() - i);
+    fill_window(velocity, step);
     return state.reading;
 }
 
@@ -37,6 +35,22 @@ void LoopController::hold(double integral)
 {
     if (!holds_) held_ = integral, holds_ = true;
     state.integral = integral - held_;
+}
+
+void LoopController::arrive(double reading, double velocity, double step)
+{
+    state.reading = reading;
+    state.velocity = state.before = velocity;
+    state.fresh = false;
+    fill_window(velocity, step);
+}
+
+/// With where it was before, in a frame that may move at another velocity.
+void LoopController::fill_window(double velocity, double step)
+{
+    auto& w = state.window;
+    for (std::size_t i = 0; i < w.size(); ++i)
+        w[i] = state.reading + (frame_ - velocity) * step * static_cast<double>(w.size() - i);
 }
 
 void LoopController::read(double reading, double step, double exact)

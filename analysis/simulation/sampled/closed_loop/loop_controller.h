@@ -32,6 +32,8 @@ class LoopController {
     /// As after reading for ever, in steady sliding at this velocity with the reference at 0 in the frame, what gives
     /// this output; returns that reading. NaN where the controller cannot give it for ever.
     double begin(double output, double velocity, double step);
+    /// As after reading a motion of this velocity for ever, which is at `reading` a step later.
+    void arrive(double reading, double velocity, double step);
     /// A new reading, `step` after the last. `exact` is the true velocity, used where the estimate is exact.
     void read(double reading, double step, double exact);
     /// What the controller makes of a reference in the frame; `rate` is its velocity, not counted in the frame, `added`
@@ -60,6 +62,7 @@ class LoopController {
     double logged() const { return logged_; }
 
   private:
+    void fill_window(double velocity, double step);
     void hold(double integral);
     double ahead(double reference, double rate, double step);
     double outside_dead_zone(double error) const;

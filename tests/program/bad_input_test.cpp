@@ -324,10 +324,10 @@ TEST_CASE("an axis over dead times that are refused is refused", "[program]")
     for (const auto& [command, says] :
          {std::pair<std::string, std::string>{
               "sweep '" + late + "'" + out,
-              "late.toml:20:1: axes.control.delay: control.delay is 10000 s, which is 1e+07 "
+              "late.toml:21:1: axes.control.delay: control.delay is 10000 s, which is 1e+07 "
               "periods, expected at most 1000 periods (1 s)"},
           {"sweep '" + fast + "'" + out,
-           "fast.toml:20:1: axes.control.period: control.delay is 0.001 s, which is 10000 periods"},
+           "fast.toml:21:1: axes.control.period: control.delay is 0.001 s, which is 10000 periods"},
           {"boundary '" + joint + "' --along control.delay=1e-3..1e4",
            "--along control.delay: control.delay is 10000 s, which is 1e+07 periods"}}) {
         const auto run = stickslip(command);

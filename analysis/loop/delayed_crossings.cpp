@@ -57,6 +57,22 @@ void cross_at_end(const OpenedLoop& open, double before, AxisCrossings& found)
     found.crossings.push_back({1 / end.real(), open.end(), before > 0 ? 1 : -1});
 }
 
+/// Whether a phase that has one sign at both ends of a step may have the other one within: as the middle shows, or the
+/// parabola through all three, whose error is taken for a quarter of what they differ by.
+bool may_cross_twice(double at, double middle, double there)
+{
+    constexpr double error = 0.25, rounding = 1e-12;
+    if (std::signbit(at) != std::signbit(there)) return false;
+    const double farthest = std::max(std::abs(at), std::abs(there));
+    if (farthest < rounding) return false;
+    if (std::signbit(middle) != std::signbit(at)) return std::abs(middle) > rounding;
+    const double bend = std::abs(at) + std::abs(there) - 2 * std::abs(middle);
+    const double slope = 0.5 * (std::abs(there) - std::abs(at));
+    if (!(std::abs(slope) < bend)) return false;  // nearest to 0 at an end
+    const double nearest = std::abs(middle) - slope * slope / (2 * bend);
+    return nearest < error * (farthest - nearest);
+}
+
 }  // namespace
 
 AxisCrossings axis_crossings(const DelayedLoop& loop)
@@ -91,7 +107,8 @@ AxisCrossings axis_crossings(const DelayedLoop& loop)
         const double next = std::min(reach.to, omega + std::min({step, widest, room}));
         const double middle = phase(0.5 * (omega + next)), there = phase(next);
         const double first = turn(at, middle), second = turn(middle, there);
-        const bool coarse = std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1;
+        const bool coarse = std::abs(first) > 0.3 || std::abs(second) > 0.3 || std::abs(first - second) > 0.1 ||
+                            (std::abs(at) < 1 && may_cross_twice(at, middle, there));
         if (coarse && next - omega > least * next) {
             step = (next - omega) / 2;
             continue;

@@ -203,8 +203,10 @@ Joint with_ideal_loop(Joint joint)
 
 LoopUse left_out_by_ideal(const Joint& joint)
 {
-    auto use = loop_use(with_gains(joint));
-    const auto kept = loop_use(with_ideal_loop(joint)).used;
+    auto use = loop_use(joint);
+    auto kept = loop_use(with_ideal_loop(joint)).used;
+    for (const char* made_k_p_and_k_v : {"control.position_gain", "control.velocity_gain"})
+        kept.emplace_back(made_k_p_and_k_v);
     std::erase_if(use.used, [&](const auto& key) { return std::find(kept.begin(), kept.end(), key) != kept.end(); });
     return use;
 }

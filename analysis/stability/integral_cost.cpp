@@ -10,18 +10,19 @@
 namespace stickslip {
 namespace {
 
-/// To the nearer end of the window that holds the gain, per the gain; outside every window to the nearest end,
+/// The factor to the nearer end of the window that holds the gain, less 1; outside every window to the nearest end,
 /// negative.
 double window_margin(const std::vector<Interval>& windows, double gain)
 {
     double nearest = infinity;
     bool inside = false;
+    const auto factor = [gain](double end) { return std::max(gain / end, end / gain); };
     for (const auto& w : windows) {
         inside |= gain > w.low && gain < w.high;
-        if (w.low > 0) nearest = std::min(nearest, std::abs(gain - w.low));
-        if (w.high < infinity) nearest = std::min(nearest, std::abs(gain - w.high));
+        if (w.low > 0) nearest = std::min(nearest, factor(w.low));
+        if (w.high < infinity) nearest = std::min(nearest, factor(w.high));
     }
-    return (inside ? 1 : -1) * nearest / gain;
+    return (inside ? 1 : -1) * (nearest - 1);
 }
 
 }  // namespace

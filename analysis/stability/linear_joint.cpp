@@ -176,15 +176,16 @@ LinearJoint linear_joint(const Joint& joint, double V)
         linear.inertia[i] = body.inertia;
         linear.friction[i] = reflected(linearise(*body.friction, body.velocity(V)), body.ratio);
     }
+    if (joint.normal.moves()) press(linear, joint.normal, friction_per_load(joint, V));
     if (chain.bodies == 1) {
         // friction that grows with the transmitted effort carries a share μ of the loop's force away
         const double share = 1 - joint.friction.load_coefficient;
-        linear.inertia[0] /= share;
+        for (double* whole : {&linear.inertia[0], &linear.contact[0], &linear.state_inertia, &linear.state_slope})
+            *whole /= share;
         linear.friction[0] = scaled(std::move(linear.friction[0]), 1 / share);
     } else {
         load_by_effort(linear, joint, chain, V);
     }
-    if (joint.normal.moves()) press(linear, joint.normal, friction_per_load(joint, V));
     for (const auto& n : joint.neighbour) linear.neighbour.push_back({n.inertia, n.coupling, n.k_v, n.k_p});
     for (int i = 0; i < chain.bodies; ++i)
         if (linear.friction[i].delays.size > 0)

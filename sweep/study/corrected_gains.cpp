@@ -113,6 +113,23 @@ void draw_charts(CorrectedGains& found, const Joint& before, const Joint& after,
 
 }  // namespace
 
+SettledMotion settled(const Trajectory& motion)
+{
+    SettledMotion settled;
+    settled.reason = motion.reason;
+    if (motion.time.empty()) return settled;
+    const double end = motion.time.back(), from = 2 * end / 3;
+    double rest = 0;
+    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+        if (motion.time[i] < from) continue;
+        settled.low = std::fmin(settled.low, motion.velocity[i]);
+        settled.high = std::fmax(settled.high, motion.velocity[i]);
+        if (motion.stuck[i] && i + 1 < motion.time.size()) rest += motion.time[i + 1] - motion.time[i];
+    }
+    settled.rest_share = rest / (end - from);
+    return settled;
+}
+
 CorrectedGains corrected_gains(const Joint& before, const Joint& after, double velocity, const ParallelFor& parallel)
 {
     CorrectedGains found;
@@ -124,6 +141,7 @@ CorrectedGains corrected_gains(const Joint& before, const Joint& after, double v
     found.per_drive = own.k_p > 0 ? found.k_p / own.k_p : 1;
     const double duration = std::fmax(duration_for(documented, velocity), duration_for(corrected, velocity));
     found.motion_before = motion_of(documented, duration), found.motion_after = motion_of(corrected, duration);
+    found.settled_before = settled(found.motion_before), found.settled_after = settled(found.motion_after);
     if (before.control.kind != ControlKind::position) {
         found.none = NoGains::force_control;
         return found;

@@ -19,6 +19,14 @@ enum class NoGains {
     refused  ///< by design, which says why
 };
 
+/// The last third of a simulated motion.
+struct SettledMotion {
+    double low = missing, high = missing;  ///< velocity; NaN where there is no motion
+    double rest_share = 0;                 ///< of its time
+    Reason reason = Reason::none;          ///< why there is no motion
+};
+SettledMotion settled(const Trajectory& motion);
+
 /// Of the documented joint and of the corrected one, at one velocity. Gains of charts and of the design are counted at
 /// the joint, `per_drive` times those of the drive.
 struct CorrectedGains {
@@ -27,8 +35,9 @@ struct CorrectedGains {
     double k_p = missing, k_v = missing;     ///< the joint's own
     std::optional<GainChart> before, after;  ///< over the same gains, with the joint's own
     Trajectory motion_before, motion_after;  ///< simulated, with the terms that no linear theory has
-    DesignPoint at_right;                    ///< on `after`, where there are right gains
-    std::optional<GainDesign> right;         ///< least noise of the link, in the corrected joint
+    SettledMotion settled_before, settled_after;
+    DesignPoint at_right;             ///< on `after`, where there are right gains
+    std::optional<GainDesign> right;  ///< least noise of the link, in the corrected joint
     Requirements required;
     bool noise_is_stated = false, rate_is_stated = false;
     NoGains none = NoGains::looked_for;

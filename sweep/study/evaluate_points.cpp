@@ -82,8 +82,9 @@ std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& 
         };
         // neutral sliding stays neutral with its frequency changed
         const auto spectrum_at = [&](double value) { return linear_verdict(varied(value)).state_variable.eigenvalues; };
-        if (axis.values.size() > 1 && unchanged(axis.values[axis.values.size() / 2]) && unchanged(axis.values.back()) &&
-            spectrum_at(axis.values.front()) == spectrum_at(axis.values.back()))
+        const bool answers = first.reason == Reason::none;  // or else that is told, and no axis is idle
+        if (axis.values.size() > 1 && answers && unchanged(axis.values[axis.values.size() / 2]) &&
+            unchanged(axis.values.back()) && spectrum_at(axis.values.front()) == spectrum_at(axis.values.back()))
             idle.push_back(axis.path);
     }
     return idle;

@@ -5,16 +5,24 @@
 #include "analysis/results/point.h"
 
 #include <optional>
+#include <string>
 
 namespace stickslip {
 
-struct LeftOutLoop {
-    Joint joint;  ///< as described; of a cascade with its sum of gains
+/// What is told of it.
+struct LeftOut {
     LoopUse loop;
     double growth = missing;  ///< max Re s of the joint as described; NaN where it has none
 };
 
+struct LeftOutLoop : LeftOut {
+    Joint joint;  ///< as described; of a cascade with its sum of gains
+};
+
 /// Nothing where the ideal loop is the joint's own.
 std::optional<LeftOutLoop> left_out_loop(const Joint& described);
+
+/// Whether a joint without its loop still has that number: an axis over another one would bring the loop back.
+bool kept_by_ideal(const Joint& ideal, const std::string& path);
 
 }  // namespace stickslip

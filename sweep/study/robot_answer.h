@@ -17,6 +17,7 @@ struct JointOutcome {
     Diagnosis diagnosis;                ///< diagnosed only
     bool contradicted = false;          ///< diagnosed: records and joint are in different units
     bool corrected = false;             ///< corrected-joint.toml stands in its folder
+    bool lacks_gains = false;           ///< its page was interrupted while the right gains were searched
 
     /// A search that was ended early names no cause, and that is no finding.
     bool ended_early() const

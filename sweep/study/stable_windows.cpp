@@ -73,12 +73,13 @@ StableWindows own_windows(const Joint& joint, double usual_speed)
 MovedBoundary moved_boundary(const Joint& before, const Joint& after, double velocity)
 {
     MovedBoundary moved;
-    if (!(velocity > 0) || !std::isfinite(velocity)) return moved;
+    if (!(std::abs(velocity) > 0) || !std::isfinite(velocity)) return moved;
     moved.velocity = velocity;
     moved.own_gain = gains_of(before.control).k_p;
     moved.at = {stable_windows(before, velocity), stable_windows(after, velocity)};
-    moved.velocities = log_steps(0.01 * velocity, 2 * velocity, 41);
-    for (const double V : moved.velocities) {
+    moved.speeds = log_steps(0.01 * std::abs(velocity), 2 * std::abs(velocity), 41);
+    for (const double speed : moved.speeds) {
+        const double V = std::copysign(speed, velocity);
         add_ends(stable_windows(before, V), moved.own_gain, moved.before);
         add_ends(stable_windows(after, V), gains_of(after.control).k_p, moved.after);
     }

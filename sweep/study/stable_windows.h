@@ -50,7 +50,7 @@ struct MovedBoundary {
     double velocity = missing;  ///< of both windows; missing where the data show no motion, and then nothing is known
     double own_gain = missing;  ///< k_p of the joint as documented
     WindowsOfBoth at;
-    std::vector<double> velocities;  ///< from a hundredth to twice of it
+    std::vector<double> speeds;  ///< from a hundredth to twice of it, in its direction
     WindowEnds before, after;
 };
 

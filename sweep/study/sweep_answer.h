@@ -2,6 +2,7 @@
 // drawn from, without a solver.
 #pragma once
 #include "sweep/study/joint_answer.h"
+#include "sweep/study/left_out_loop.h"
 #include "sweep/study/map_answer.h"
 #include "sweep/study/panels.h"
 #include "sweep/study/sweep_summary.h"
@@ -26,6 +27,7 @@ struct SweepAnswer {
     std::optional<PanelsAnswer> panels;
     std::vector<ProfileAnswer> profiles;
     std::vector<GainSurface> surfaces;
+    std::optional<LeftOut> left_out;  ///< with --ideal-loop
 };
 
 /// Whether a stored answer has as many charts, layers, panels and profiles as its sweep.

@@ -71,7 +71,7 @@ std::string detail_text(Detail detail)
         case Detail::too_many_ticks:
             return "the reference has more than 20 million ticks";
         case Detail::law_at_rest:
-            return "the law is undefined at rest: start with a reference that moves forward, or use "
+            return "the law has no friction at rest and none backwards: take a reference that moves forward, or "
                    "rate-and-state-regularised";
         case Detail::no_state:
             return "a disturbed state is one of the friction on the link, and its law has none; other disturbances "

@@ -72,7 +72,7 @@ std::string left_out_text(const LoopUse& described, double growth)
                              : "sliding at this velocity is unstable.");
 }
 
-void tell_left_out(const LeftOutLoop& left_out, bool stable, Report& report)
+void tell_left_out(const LeftOut& left_out, bool stable, Report& report)
 {
     using Tone = Headline::Tone;
     const bool same = (left_out.growth < 0) == stable;

@@ -25,7 +25,7 @@ std::string left_out_text(const LoopUse& described, double growth);
 
 /// Of a page about the ideal loop, which calls sliding `stable`: names what was left out. Where the loop as it is does
 /// not slide, that is no clean yes.
-void tell_left_out(const LeftOutLoop& left_out, bool stable, Report& report);
+void tell_left_out(const LeftOut& left_out, bool stable, Report& report);
 
 /// A verdict on the ideal loop of a joint whose file describes another: it begins with the loop that it is about.
 std::string of_ideal_loop(const std::string& verdict);

@@ -283,3 +283,69 @@ TEST_CASE("a limit below the friction of steady sliding is said with its place b
     CHECK_THAT(set.output, Contains("--set: control.effort_limit: is 30 N"));
     CHECK(stickslip("evaluate '" + weak + "' --set control.effort_limit=61").exit_code == 0);
 }
+
+TEST_CASE("a loop that no controller has is refused at its place", "[program]")
+{
+    Folder folder;
+    struct Bad {
+        const char *loop, *says;
+    };
+    const Bad cases[] = {
+        {"period = 1e-3\n",
+         "loop.toml:5:1: control: period is set and the loop feeds velocity back, but "
+         "velocity_estimate.form is missing, expected \"backward-difference\", \"exact\""},
+        {"period = 1e300\n", "loop.toml:9:10: control.period: is 1e+300, expected a number in s, within (0, 100]"},
+        {"velocity_estimate = { tau = -1e-3 }\n",
+         "loop.toml:9:29: control.velocity_estimate.tau: is -0.001, expected a number in s, ≥ 0"}};
+    for (const auto& bad : cases) {
+        const auto file = folder.write("loop.toml", with("V0 = 1e-3\n", std::string("V0 = 1e-3\n") + bad.loop));
+        for (const std::string verb : {"evaluate", "margins", "sweep"}) {
+            const auto run = stickslip(verb + " '" + file + "' -o '" + (folder / "out") + "'");
+            INFO(verb << "\n" << run.output);
+            CHECK(run.exit_code == 2);
+            CHECK_THAT(run.output, Contains(bad.says));
+        }
+    }
+}
+
+TEST_CASE("an axis over dead times that are refused is refused", "[program]")
+{
+    const std::string ticked =
+        with("V0 = 1e-3\n",
+             "V0 = 1e-3\nperiod = 1e-3\nvelocity_estimate = { form = \"backward-difference\" }\ndelay = 1e-3\n");
+    Folder folder;
+    const auto over = [&](const std::string& name, const std::string& axis) {
+        return folder.write(name, ticked.substr(0, ticked.find("\"control.k_v\" =")) + axis);
+    };
+    const auto joint = folder.write("joint.toml", ticked);
+    const std::string late = over("late.toml", "\"control.delay\" = { from = 1e-3, to = 1e4, points = 3 }\n"),
+                      fast = over("fast.toml", "\"control.period\" = [1e-7, 1e-3]\n"),
+                      out = " -o '" + (folder / "out") + "'";
+    for (const auto& [command, says] :
+         {std::pair<std::string, std::string>{
+              "sweep '" + late + "'" + out,
+              "late.toml:21:1: axes.control.delay: control.delay is 10000 s, which is 1e+07 "
+              "periods, expected at most 1000 periods (1 s)"},
+          {"sweep '" + fast + "'" + out,
+           "fast.toml:21:1: axes.control.period: control.delay is 0.001 s, which is 10000 periods"},
+          {"boundary '" + joint + "' --along control.delay=1e-3..1e4",
+           "--along control.delay: control.delay is 10000 s, which is 1e+07 periods"}}) {
+        const auto run = stickslip(command);
+        INFO(command << "\n" << run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(says));
+    }
+}
+
+TEST_CASE("a sweep along one axis without any verdict says so, and no axis is blamed", "[program]")
+{
+    Folder folder;
+    std::string text = with("V0 = 1e-3\n", "V0 = 1e-3\neffort_limit = 50.0\n");
+    const auto weak = folder.write("weak.toml", text.substr(0, text.find("\"control.k_v\" =")));
+    const auto run = stickslip("sweep '" + weak + "' -o '" + (folder / "out") + "'");
+    INFO(run.output);
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(run.output, Contains("7 points have no verdict: the effort limit is below"));
+    CHECK_THAT(run.output, !Contains("changes no linear answer") && !Contains("finite value"));
+    CHECK(std::filesystem::exists(folder / "out/report.html"));
+}

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 using Catch::Matchers::Contains;
@@ -90,5 +91,83 @@ TEST_CASE("a page about the ideal loop begins with it, and is green only where t
                        Contains("In the sampled loop as it is, sliding at this velocity is unstable."));
         CHECK_THAT(page_of("80e3"), Contains("class=\"verdict good\"") && Contains("ideal loop.") &&
                                         Contains("In the sampled loop as it is, sliding at this velocity is stable."));
+    }
+}
+
+namespace {
+
+// the reference joint of the paper behind one tick of dead time, smooth in the ideal loop only
+constexpr const char* late_joint =
+    "[joint]\ninertia = 1.0\n[control]\nk_p = 60e3\nk_v = 10.0\nV0 = 1e-3\n"
+    "period = 1e-3\ndelay = 1e-3\nvelocity_estimate = { form = \"backward-difference\" }\n"
+    "[friction]\nlaw = \"rate-and-state\"\nf0 = 60.0\nA = 1.0\nB = 1.5\nL = 1e-5\nV_star = 1e-3\n";
+
+}  // namespace
+
+TEST_CASE("with --ideal-loop the JSON of every verb says which loop was left out", "[program][loop]")
+{
+    program::Folder folder;
+    const auto file = folder.write("late.toml", std::string(late_joint) + axes);
+    for (const std::string verb : verbs) {
+        INFO(verb);
+        const std::string out = folder / verb.substr(0, verb.find(' '));
+        const auto loop_of = [&](const std::string& option) {
+            const auto said = stickslip(call(verb, file) + option + " --json 2>/dev/null -o '" + out + option + "'");
+            return Json::parse(said.output)["loop"];
+        };
+        const auto loop = loop_of("--ideal-loop");
+        CHECK(loop["kind"] == "ideal");
+        REQUIRE(loop["left_out"].is_object());
+        CHECK(loop["left_out"]["kind"] == "sampled");
+        CHECK(loop["left_out"]["keys"] == Json({"control.period", "control.delay", "control.velocity_estimate.form"}));
+        CHECK(loop["left_out"]["spectral_abscissa"].is_number());
+        CHECK(loop_of("")["left_out"].is_null());
+    }
+}
+
+TEST_CASE("a sweep of the ideal loop says so on its page, also when that is drawn again", "[program][loop]")
+{
+    program::Folder folder;
+    const auto file = folder.write("late.toml", std::string(late_joint) + axes);
+    const std::string out = folder / "out", again = folder / "again";
+    const auto said = stickslip("sweep '" + file + "' --ideal-loop -o '" + out + "'");
+    CHECK_THAT(said.output, Contains("In the paper's ideal loop."));
+    REQUIRE(stickslip("report '" + out + "' -o '" + again + "'").exit_code == 0);
+    std::filesystem::remove(out + "/answer.json");  // as after a merge: everything but the points is computed again
+    const std::string merged = folder / "merged";
+    REQUIRE(stickslip("report '" + out + "' -o '" + merged + "'").exit_code == 0);
+    for (const auto& page : {out, again, merged}) {
+        INFO(page);
+        CHECK_THAT(program::read(page + "/report.html"),
+                   Contains("class=\"verdict warning\"") && Contains("ideal loop. ") &&
+                       Contains("--ideal-loop leaves out control.period, control.delay") &&
+                       Contains("In the sampled loop as it is, sliding at this velocity is unstable."));
+    }
+}
+
+TEST_CASE("an axis over what --ideal-loop leaves out is refused", "[program][loop]")
+{
+    program::Folder folder;
+    const auto joint = folder.write("joint.toml", late_joint);
+    std::string cascade = late_joint;
+    cascade.replace(cascade.find("k_p = 60e3\nk_v = 10.0\n"), 22,
+                    "structure = \"cascade\"\nposition_gain = 100.0\nvelocity_gain = 600.0\n");
+    const auto of = [&](const std::string& name, const std::string& text, const std::string& path) {
+        return "'" + folder.write(name, text + "[axes]\n\"" + path + "\" = { from = 1e-3, to = 4e-3, points = 3 }\n") +
+               "'";
+    };
+    for (const auto& [line, path] :
+         {std::pair<std::string, std::string>{"sweep " + of("period.toml", late_joint, "control.period"),
+                                              "control.period"},
+          {"sweep " + of("gain.toml", cascade, "control.position_gain"), "control.position_gain"},
+          {"boundary '" + joint + "' --along control.delay=1e-4..1e-2", "control.delay"},
+          {"margins '" + joint +
+               "' --uncertain friction.L=10% --over control.k_p "
+               "control.period=1e-4..1e-3",
+           "control.period"}}) {
+        const auto said = stickslip(line + " --ideal-loop -o '" + folder / "out" + "'");
+        INFO(said.output);
+        CHECK(said.exit_code == 2);
+        CHECK_THAT(said.output, Contains("--ideal-loop: leaves out " + path + ", expected axes"));
     }
 }

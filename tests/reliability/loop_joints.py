@@ -35,6 +35,7 @@ def draw(r):
     text['control'], sensor = draw_loop(r, p, V0)
     if sensor:
         text['sensor'] = sensor
+    draw_normal(r, p, text)
     p.text = as_toml(text)
     p.open = lambda curve: mechanism(p, curve)
     return p
@@ -97,6 +98,7 @@ def draw_frictions(r, p, text):
         # behind a reduction the force is N times as large and its velocity N times as fast
         p.frictions.append((load * N * N * f_v, [(lam, N * b, load * N * h) for lam, b, h in states]))
         steady += N * load * level
+        p.level = level  # friction per normal load of the link, the last body
         text[name] = toml
     p.mu = 0.0
     if n == 1 and r.random() < 0.15:
@@ -230,6 +232,28 @@ def draw_integral(r, p, control):
     return control
 
 
+def draw_normal(r, p, text):
+    """A normal load on the link that moves: (n0 + n1 s + n2 s^2) of its motion, or from the effort of the last spring."""
+    p.normal, p.alpha, p.from_load = (0.0, 0.0, 0.0), 0.0, 0.0
+    if r.random() > 0.25:
+        return
+    mu, normal = p.level, ''
+    if r.random() < 0.5:
+        mu = r.uniform(0.05, 1)
+        normal = f'mu = {mu!r}\n'
+    p.normal_mu = mu
+    if len(p.inertia) > 1 and not p.force and r.random() < 0.4:
+        p.from_load = r.choice([-1, 1]) * r.uniform(0.05, 0.4) / mu
+        normal += f'from_load = {p.from_load!r}\n'
+    else:
+        n0, n1, n2 = (r.choice([0, r.choice([-1, 1]) * pick(r, low, high)])
+                      for low, high in ((1e2, 1e5), (0.1, 100), (0.001, 0.05)))
+        n2 /= mu
+        p.normal, p.alpha = (n0, n1, n2), r.choice([0, pick(r, 0.01, 1)]) * mu
+        normal += f'displacement = {n0!r}\nvelocity = {n1!r}\nacceleration = {n2!r}\nalpha = {p.alpha!r}\n'
+    text['normal'] = normal
+
+
 def as_toml(text):
     rest = {k: v for k, v in text.items() if k != 'neighbours'}
     out = ''.join(f'[{k}]\n{v}' for k, v in rest.items())
@@ -245,6 +269,11 @@ def mechanism(p, curve):
     frictions = [curve_only(*f) if curve else f for f in p.frictions]
     states = [(i, s) for i in range(n) for s in frictions[i][1]]
     M, K, D = bodies(p, [f_v for f_v, _ in frictions])
+    if any(p.normal):
+        at_once = p.normal_mu - sum(taken_shares(p, states, link))
+        K[link, link] += at_once * p.normal[0]
+        D[link, link] += at_once * p.normal[1]
+        M[link, link] += at_once * p.normal[2]
     size = 2 * N + len(states) + (1 if p.lag else 0)
     A, B = np.zeros((size, size)), np.zeros(size)
     inv = np.linalg.inv(M)
@@ -262,6 +291,7 @@ def mechanism(p, curve):
         B[size - 1] = 1 / p.lag
     else:
         B[N:2 * N] = push
+    press_states(p, A, B, states, link, N)
     C, C_v = np.zeros(size), np.zeros(size)
     if p.force:
         C[link], C_v[link] = p.k_p + p.k_c, 0
@@ -270,6 +300,25 @@ def mechanism(p, curve):
         at = link if p.feedback == 'link' else 0
         C[at], C_v[N + at] = p.scale, p.scale
     return A, B, C, C_v
+
+
+def taken_shares(p, states, link):
+    """Of each state of the link's friction, the share of alpha that a step of the normal load takes out of it."""
+    memory = [h * b / -lam if i == link else 0.0 for i, (lam, b, h) in states]
+    whole = sum(memory)
+    return [p.alpha * m / whole if whole else 0.0 for m in memory]
+
+
+def press_states(p, A, B, states, link, N):
+    """alpha s/(s - lambda) of the load is alpha less alpha (-lambda)/(s - lambda), which the state holds."""
+    n0, n1, n2 = p.normal
+    load = n2 * A[N + link]
+    load[link] += n0
+    load[N + link] += n1
+    for j, ((i, (lam, b, h)), share) in enumerate(zip(states, taken_shares(p, states, link))):
+        if share:
+            A[2 * N + j] += share * -lam / h * load
+            B[2 * N + j] += share * -lam / h * n2 * B[N + link]
 
 
 def bodies(p, slopes):
@@ -282,8 +331,10 @@ def bodies(p, slopes):
     for i, (k, c) in enumerate(zip(p.springs, p.dampers)):
         e = np.zeros(N)
         e[i], e[i + 1] = 1, -1
-        K += k * np.outer(e, e)
-        D += c * np.outer(e, e)
+        # friction of the link that grows with what the last spring carries
+        pushed = e - (np.eye(N)[i + 1] * -p.from_load * p.normal_mu if p.from_load and i == n - 2 else 0)
+        K += k * np.outer(pushed, e)
+        D += c * np.outer(pushed, e)
     link = n - 1
     share = 1 - p.mu  # the loop keeps it of its effort
     for j, (mk, jk, k, c) in enumerate(p.neighbours):

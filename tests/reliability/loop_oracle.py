@@ -134,9 +134,10 @@ def sampled_growth(p, plant, g, exact=False):
             M = tick_map(p, mp, g, mpmath)
             z = mpmath.eig(mpmath.matrix(M.tolist()), left=False, right=False)
             return float(mpmath.log(max(abs(v) for v in z)) / p.T)
-    M = tick_map(p, plant, g)
-    if not np.isfinite(M).all():
-        return math.nan
+    with np.errstate(over='ignore', invalid='ignore'):
+        M = tick_map(p, plant, g)
+    if not np.abs(M).max() < 1e150:  # sums of it overflow
+        return sampled_growth(p, plant, g, exact=True)
     return math.log(np.abs(np.linalg.eigvals(balanced(M))).max()) / p.T
 
 

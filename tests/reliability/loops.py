@@ -85,11 +85,13 @@ def compare(p, told, count, problems):
 
 def compare_growth(p, name, of, growth, count, problems):
     if p.sampled:
+        def agrees(own):
+            return abs(own - growth) <= 1e-6 * (abs(own) + 1e-3 / p.T)
+
         own = sampled_growth(p, of, None)
-        unit = 1e-3 / p.T
-        if abs(own - growth) > 1e-6 * (abs(own) + unit):
+        if not agrees(own):
             own = sampled_growth(p, of, None, exact=True)
-        if abs(own - growth) > 1e-6 * (abs(own) + unit):
+        if not agrees(own):
             problems.append(f'{name} {growth} is {own}')
         count.growths += 1
         return

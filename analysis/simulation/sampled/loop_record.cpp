@@ -131,6 +131,11 @@ void log_along(const ReferenceMotion& reference, const std::vector<Told::Now>& t
             record.why = Detail::stopped;
             break;
         }
+        if (loop.motion.joint.driven_backwards(loop.motion.y.data())) {
+            record.reason = Reason::law_needs_motion;
+            record.why = Detail::law_at_rest;
+            break;
+        }
     }
     const std::size_t rows = record.effort_measured.size();
     for (auto* column : {&record.time, &record.reference_position, &record.reference_velocity, &record.position,

@@ -64,10 +64,17 @@ void fields(A& a, Like<GainSurface> auto& v)
 }
 
 template <class A>
+void fields(A& a, Like<LeftOut> auto& v)
+{
+    a("loop", v.loop), a("growth", v.growth);
+}
+
+template <class A>
 void fields(A& a, Like<SweepAnswer> auto& v)
 {
     a("plan_id", v.plan_id), a("spec", v.spec), a("design", v.design), a("margins", v.margins), a("maps", v.maps);
     a("panels", v.panels), a("profiles", v.profiles), a("surfaces", v.surfaces);
+    a("left_out", v.left_out);
 }
 
 }  // namespace stickslip

@@ -107,7 +107,7 @@ nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
     for (const auto& leaf : parameters(joint))
         if (std::isfinite(*leaf.value)) json["joint"][leaf.path] = *leaf.value;
     json["region"] = code_name("region", static_cast<std::uint8_t>(answer.region));
-    json["loop"] = loop_json(answer.loop);
+    json["loop"] = loop_json(answer.loop, answer.left_out);
     if (answer.set_point) json["set_point"] = set_point_json(*answer.set_point);
     json["lines"] = Json::array();
     for (const auto& ray : answer.rays) json["lines"].push_back(ray_json(answer.design, ray));

@@ -26,6 +26,7 @@ nlohmann::ordered_json evaluation_json(const JointEvaluation& e, const std::stri
 {
     nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}, {"decided", e.answered()}};
     json.update(verdict_json(e.verdict));
+    json["loop"] = loop_json(e.verdict.loop, e.left_out);
     if (e.decided()) json["linear"].update(study_json(*e.study, e.locus));
     if (e.motion) json["linear"]["forced"] = forced_json(e.force, *e.motion);
     if (e.loads) json["linear"]["normal_load"] = load_json(*e.loads);

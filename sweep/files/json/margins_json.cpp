@@ -12,7 +12,7 @@ nlohmann::ordered_json margins_json(const MarginsAnswer& a)
     nlohmann::ordered_json json = {{"format", "stickslip margins 1"}, {"title", a.title}};
     json["answer"] = plain_text(margins_text(a));
     json["reason_code"] = code_json(a.reason);
-    json["loop"] = loop_json(a.loop);
+    json["loop"] = loop_json(a.loop, a.left_out);
     json["nearest"] = nearest_json(a.nearest);
     json["tolerance_each"] = json_number(a.tolerance_each);
     json["alone"] = nlohmann::ordered_json::array();

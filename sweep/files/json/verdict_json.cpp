@@ -69,7 +69,7 @@ std::string_view kind_name(LoopKind kind)
 
 }  // namespace
 
-Json loop_json(const LoopUse& loop)
+Json loop_json(const LoopUse& loop, const std::optional<LeftOut>& left_out)
 {
     Json unused = Json::array();
     for (const auto& term : loop.not_used)
@@ -77,7 +77,12 @@ Json loop_json(const LoopUse& loop)
                           {"why", why_text(term.why)},
                           {"why_code", name_of(term.why)},
                           {"matters", term.matters}});
-    return {{"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}};
+    Json ideal = nullptr;
+    if (left_out)
+        ideal = {{"kind", kind_name(left_out->loop.kind)},
+                 {"keys", left_out->loop.used},
+                 {"spectral_abscissa", json_number(left_out->growth)}};
+    return {{"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}, {"left_out", ideal}};
 }
 
 Json intervals_json(const std::vector<Interval>& list)

@@ -1,6 +1,7 @@
 // The linear verdict as `stickslip evaluate --json` prints it: documented, stable names.
 #pragma once
 #include "analysis/stability/verdict.h"
+#include "sweep/study/left_out_loop.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,8 +18,9 @@ Json intervals_json(const std::vector<Interval>& list);
 /// The name of a reason as in results.nc; null for none.
 Json code_json(Reason reason);
 
-/// {"kind": …, "used": […], "not_used": [{"key", "why", "why_code", "matters"}]}
-Json loop_json(const LoopUse& loop);
+/// {"kind": …, "used": […], "not_used": [{"key", "why", "why_code", "matters"}], "left_out": null}; with --ideal-loop
+/// left_out is the loop that it stands in place of: {"kind", "keys", "spectral_abscissa"}.
+Json loop_json(const LoopUse& loop, const std::optional<LeftOut>& left_out = {});
 
 /// {"steady": …, "linear": {"velocity_only": …, "state_variable": …}}; without steady sliding "linear" is null and
 /// "reason" says why.

@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/toml_input.h"
+#include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/spec_file.h"
@@ -93,6 +94,12 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
         throw BadInput(fmt::format("{} {}: got {}, expected a range such as {}=1e3..1e6", option, path, range, path));
     axis.values = {number_from(joint, path, range.substr(0, dots), option),
                    number_from(joint, path, range.substr(dots + 2), option)};
+    for (const double end : axis.values) {
+        Joint at = asked.design;
+        *find_parameter(at, path) = end;
+        if (const auto late = files::refused_dead_time(at.control, at.sensor.delay); !late.path.empty())
+            throw BadInput(fmt::format("{} {}: {} {}", option, path, late.path, late.message));
+    }
     const double low = axis.values[0], high = axis.values[1];
     if (!(low < high))
         throw BadInput(

@@ -1,6 +1,7 @@
 #include "sweep/files/toml/axes_reader.h"
 
 #include "analysis/joint/parameters.h"
+#include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/named_values.h"
 #include "sweep/study/samples.h"
@@ -192,6 +193,13 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
         AxisReader reader(given, *leaf, units_of(joint), complaints);
         auto axis = reader.read();
         points *= reader.requested();
+        if (axis) {
+            Joint latest = joint;
+            double* number = find_parameter(latest, axis->path);
+            *number = number == &latest.control.period ? axis->values.front() : axis->values.back();
+            const auto late = refused_dead_time(latest.control, latest.sensor.delay);
+            if (!late.path.empty()) complaints.add(given.place, "axes." + given.path, late.path + " " + late.message);
+        }
         sound = sound && axis;
         if (axis) axes.push_back(std::move(*axis));
     }

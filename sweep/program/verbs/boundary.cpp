@@ -135,6 +135,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     const auto left_out = options.ideal_loop ? leave_loop_out(asked) : std::nullopt;
     say_no_sliding(options.input, options.settings, asked.design);
     const auto questions = boundary_questions(asked, options);
+    if (options.ideal_loop)
+        for (const auto& question : questions) refuse_left_out(asked.design, question.axes);
     const ThreadLimit limit(options.threads);
     BoundaryAnswer answer;
     answer.title = asked.spec.title;

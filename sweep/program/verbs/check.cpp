@@ -34,7 +34,7 @@ struct Options {
 int check(const Options& options, const Invocation& invocation)
 {
     Spec spec = read_spec(options.spec);
-    if (options.ideal_loop) leave_loop_out(spec);
+    const auto left_out = options.ideal_loop ? leave_loop_out(spec) : std::nullopt;
     const ThreadLimit limit(options.threads);
     const auto now = watched_boundaries(spec, parallel_for_each);
     if (now.empty()) throw BadInput(options.spec + ": no boundary lies within the axes: there is nothing to compare");
@@ -61,7 +61,8 @@ int check(const Options& options, const Invocation& invocation)
     const auto loop = verdict_loop(design_joint(spec));
     if (const auto text = loop_text(loop); !text.empty()) fmt::print("{}\n", text.substr(1));
     if (!options.directory.empty()) {
-        const auto report = check_report(spec, deviations, changed, loop, invocation.command);
+        auto report = check_report(spec, deviations, changed, loop, invocation.command);
+        if (left_out) tell_left_out(*left_out, left_out->growth < 0, report);
         fmt::print("report: {}\n", write_report(report, options.directory).string());
     }
     if (failed)

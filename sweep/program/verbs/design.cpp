@@ -87,13 +87,14 @@ int design(const Options& options, const Invocation& invocation)
 {
     auto asked = read_spec_or_joint(options.input, options.settings);
     const Joint described = asked.design;  // whose sensors and limits the requirements are of, in any loop
-    if (options.ideal_loop) leave_loop_out(asked);
+    std::optional<LeftOutLoop> left_out = options.ideal_loop ? leave_loop_out(asked) : std::nullopt;
     say_no_sliding(options.input, options.settings, asked.design);
     DesignAnswer answer;
     answer.title = asked.spec.title;
     answer.command = invocation.command;
     answer.joint = asked.design;
     answer.loop = verdict_loop(answer.joint);
+    answer.left_out = std::move(left_out);
     answer.requirements = read_requirements(options.input, described, options.requirements);
     const ThreadLimit limit(options.threads);
     set_search_effort(options.effort);

@@ -173,13 +173,13 @@ int diagnose(const Options& options, const Invocation& invocation)
         fmt::print("{}", joint_diagnosis_json(found));
     else
         print_answer(found, given);
-    write_joint_diagnosis(found, directory, invocation, !options.no_report);
+    const bool whole = write_joint_diagnosis(found, directory, invocation, !options.no_report);
     if (!options.json) {
         fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
         if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
     }
     if (invocation.interrupted && !d.interrupted && !found.contradicted) {
-        say("interrupted: the diagnosis is written, its page lacks gains\n");
+        say("interrupted: the diagnosis is written{}\n", whole ? "" : ", its page lacks gains");
         return exit_interrupted;
     }
     return exit_code_of(d, found.contradicted);

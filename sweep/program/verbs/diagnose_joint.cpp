@@ -25,6 +25,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 namespace stickslip {
 namespace {
@@ -135,7 +136,7 @@ std::string joint_diagnosis_json(const JointDiagnosis& found)
     return diagnosis_json(found.diagnosis, found.windows).dump(2) + "\n";
 }
 
-void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
+bool write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
                            const Invocation& invocation, bool page, const JointOfRobot& of)
 {
     const auto& [d, before, after, windows, contradicted, rig] = found;
@@ -144,21 +145,22 @@ void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::p
     const auto corrected = corrected_joint_text(d, before, after);
     if (!corrected.empty()) write_whole(directory / "corrected-joint.toml", corrected);
     if (!d.next_experiment.reference.empty()) write_experiment(directory / "next-experiment.csv", d.next_experiment);
-    if (page) {
-        const bool named = d.verdict == Verdict::gap && !rig;
-        const double velocity = named ? reported_velocity(before, d.usual_speed) : missing;
-        const auto moved = moved_boundary(before, after, velocity);
-        StageLine line;
-        line.stage("gains that would be right");
-        const auto gains = corrected_gains(
-            before, after, velocity,
-            until_interrupted<gap::Interrupted>(invocation.interrupted, line.counted(parallel_for_each)));
-        auto report = diagnosis_report(d, before, after, moved, gains,
-                                       {{"version", program_version()}, {"command", invocation.command}},
-                                       corrections(corrected, before, after, rig), rig);
-        if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
-        write_linked_report(report, directory, {}, {of.robot, of.page});
-    }
+    if (!page) return true;
+    const bool named = d.verdict == Verdict::gap && !rig;
+    const double velocity = named ? reported_velocity(before, d.usual_speed) : missing;
+    const auto moved = moved_boundary(before, after, velocity);
+    std::optional<StageLine> line(std::in_place);
+    line->stage("gains that would be right");
+    const auto gains =
+        corrected_gains(before, after, velocity,
+                        until_interrupted<gap::Interrupted>(invocation.interrupted, line->counted(parallel_for_each)));
+    line.reset();
+    auto report = diagnosis_report(d, before, after, moved, gains,
+                                   {{"version", program_version()}, {"command", invocation.command}},
+                                   corrections(corrected, before, after, rig), rig);
+    if (!of.name.empty()) report.title = "Sim-to-real gap of " + of.name;
+    write_linked_report(report, directory, {}, {of.robot, of.page});
+    return gains.none != NoGains::interrupted;
 }
 
 }  // namespace stickslip

@@ -40,8 +40,8 @@ struct JointOfRobot {
 std::string joint_diagnosis_json(const JointDiagnosis& found);
 
 /// diagnosis.json, corrected-joint.toml, next-experiment.csv and, where requested, the page; what an earlier answer
-/// left there goes.
-void write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
+/// left there goes. False where an interruption ended the search for gains, which the page then lacks.
+bool write_joint_diagnosis(const JointDiagnosis& found, const std::filesystem::path& directory,
                            const Invocation& invocation, bool page, const JointOfRobot& of = {});
 
 /// The exit code of `diagnose`.

@@ -73,7 +73,7 @@ JointOutcome outcome_of(const RobotQuestion& question, const RobotJoints& robot,
         const auto given = gathered(question, wanted, joint);
         StageLine line;
         const auto found = diagnose_joint(joint, given, invocation, line, about);
-        write_joint_diagnosis(
+        outcome.lacks_gains = !write_joint_diagnosis(
             found, folder, invocation, !question.no_report,
             {asked.name, robot.title.empty() ? "All joints of the robot" : robot.title, "../robot.html"});
         outcome.status = Status::diagnosed;
@@ -134,7 +134,7 @@ int diagnose_robot(const RobotQuestion& question, const Invocation& invocation)
     }
     // an interruption that comes when all are answered takes nothing from them
     answer.interrupted = std::ranges::any_of(answer.joints, [](const JointOutcome& joint) {
-        return joint.status == Status::not_reached || joint.diagnosis.interrupted;
+        return joint.status == Status::not_reached || joint.diagnosis.interrupted || joint.lacks_gains;
     });
     const auto json = robot_json(answer, !question.no_report).dump(2) + "\n";
     write_whole(directory / "robot.json", json);

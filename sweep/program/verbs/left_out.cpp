@@ -1,6 +1,7 @@
 #include "sweep/program/verbs/left_out.h"
 
 #include "analysis/loop/loop_use.h"
+#include "sweep/files/text/bad_input.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/words/loop_text.h"
 
@@ -30,10 +31,20 @@ std::optional<LeftOutLoop> leave_loop_out(Asked& asked)
     return left_out;
 }
 
-void leave_loop_out(Spec& spec)
+std::optional<LeftOutLoop> leave_loop_out(Spec& spec)
 {
-    say_left_out(design_joint(spec));
+    auto left_out = say_left_out(design_joint(spec));
     spec.joint = with_ideal_loop(spec.joint);
+    refuse_left_out(spec.joint, spec.axes);
+    return left_out;
+}
+
+void refuse_left_out(const Joint& ideal, const std::vector<Axis>& axes)
+{
+    for (const auto& axis : axes)
+        if (!kept_by_ideal(ideal, axis.path))
+            throw BadInput("--ideal-loop: leaves out " + axis.path +
+                           ", expected axes that a joint without its loop has");
 }
 
 }  // namespace stickslip

@@ -13,6 +13,10 @@ void add_ideal_loop(Verb& verb, bool& ideal_loop);
 /// Puts the ideal loop in place of the joint's own, and says to standard error which keys of the loop the answer is
 /// without, and whether the joint as described slides smoothly. Nothing where the joint has the ideal loop anyway.
 std::optional<LeftOutLoop> leave_loop_out(Asked& asked);
-void leave_loop_out(Spec& spec);
+/// Throws BadInput for an axis over what is left out.
+std::optional<LeftOutLoop> leave_loop_out(Spec& spec);
+
+/// Throws BadInput for an axis over what an ideal loop has not.
+void refuse_left_out(const Joint& ideal, const std::vector<Axis>& axes);
 
 }  // namespace stickslip

@@ -56,6 +56,7 @@ MarginsAnswer answered(const Options& options, const std::string& command)
             throw BadInput("--over: the robustly stable set needs --uncertain PATH=SHARE, such as friction.L=20%");
         const Axis x = axis_from(asked, options.over[0], "--over"), y = axis_from(asked, options.over[1], "--over");
         if (x.path == y.path) throw BadInput("--over: got " + x.path + " twice, expected two different axes");
+        if (options.ideal_loop) refuse_left_out(asked.design, {x, y});
         line.stage("the set that is stable for all joints within the uncertainty");
         BoundaryRequest request;
         request.parallel = parallel_for_each;

@@ -4,6 +4,7 @@
 #include "analysis/stability/steady.h"
 #include "sweep/files/toml/stated_place.h"
 #include "sweep/program/verbs/say.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/plain_text.h"
 
@@ -14,8 +15,9 @@ void say_no_sliding(const std::filesystem::path& file, const std::vector<std::st
     if (possible_sliding(joint).reason != Reason::limit_too_low) return;
     const auto low = low_limit(joint, commanded_velocity(joint));
     if (!low) return;
-    say("{}: {}: {}\n", stated_place(file, settings, low->path), low->path,
-        plain_text(low_limit_words(*low, units_of(joint))));
+    const auto side = plain_text(side_text(joint, false));
+    say("{}: {}: {}{}\n", stated_place(file, settings, low->path), low->path,
+        plain_text(low_limit_words(*low, units_of(joint))), side.empty() ? "" : ". " + side);
 }
 
 }  // namespace stickslip

@@ -1,4 +1,6 @@
 // stickslip report: draw the page of a finished sweep again, or of what changed between two.
+#include "analysis/joint/parameters.h"
+#include "analysis/loop/loop_use.h"
 #include "sweep/engine/results_file.h"
 #include "sweep/engine/run_directory.h"
 #include "sweep/files/json/sweep_answer_file.h"
@@ -11,6 +13,7 @@
 #include "sweep/report/pages/compare_report.h"
 #include "sweep/report/pages/stability_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/study/left_out_loop.h"
 
 #include <fmt/format.h>
 
@@ -33,12 +36,25 @@ ResultsFile finished_sweep(const std::string& directory)
     return ResultsFile(file);
 }
 
+/// The stored spec is as the user wrote it: of a sweep with --ideal-loop, whose results are of a joint without its
+/// loop, it gets that joint.
+std::optional<LeftOutLoop> take_loop_of(const ResultsFile& results, Spec& spec)
+{
+    const Joint ideal = with_ideal_loop(spec.joint);
+    const auto computed = results.attribute("joint");
+    if (canonical_text(spec.joint) == computed || canonical_text(ideal) != computed) return std::nullopt;
+    auto left_out = left_out_loop(design_joint(spec));
+    spec.joint = ideal;
+    return left_out;
+}
+
 /// A finished sweep. The spec travels with its results, with its joint written out, so that no other file is needed.
 /// `charts` are those to show; empty: the sweep's own.
 ComparedRun read_run(const std::string& directory, const ReportSpec* charts, const std::string& date)
 {
     const auto results = finished_sweep(directory);
     ComparedRun run{directory, read_spec_text(results.attribute("spec"), directory + " (spec of results.nc)"), {}};
+    take_loop_of(results, run.spec);
     choose_charts(run.spec);
     if (charts) {
         const auto has = [&](const std::string& path) {
@@ -61,11 +77,13 @@ int draw_again(const std::string& directory, const std::string& output, const st
     const auto results = finished_sweep(directory);
     auto answer = read_sweep_answer(directory, results.attribute("plan_id"));
     auto spec = read_spec_text(answer ? answer->spec : results.attribute("spec"), directory + " (spec of the sweep)");
+    const auto left_out = take_loop_of(results, spec);
     choose_charts(spec);
     auto summary = summarise(spec, results);
     if (!answer || !fits(*answer, summary)) {
         answer = answer_sweep(spec, summary);
         answer->spec = results.attribute("spec");
+        answer->left_out = left_out;
         write_sweep_answer(*answer, directory);
     }
     if (!date.empty()) summary.provenance.emplace_back("drawn", date);

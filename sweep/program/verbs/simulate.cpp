@@ -1,5 +1,6 @@
 // stickslip simulate: one motion of one joint, as numbers and pictures.
 #include "analysis/simulation/simulate.h"
+#include "analysis/joint/loop_side.h"
 #include "analysis/results/text.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/motion_measures.h"
@@ -119,7 +120,7 @@ int record_joint(const Options& options, const Invocation& invocation)
     auto asked = read_spec_or_joint(options.joint, options.settings);
     if (options.ideal_loop) leave_loop_out(asked);
     const Joint& joint = asked.design;
-    say_no_sliding(options.joint, options.settings, joint);
+    say_no_sliding(options.joint, options.settings, with_loop_at_joint(joint));
     const auto reference = read_reference(options.reference, units_of(joint));
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));

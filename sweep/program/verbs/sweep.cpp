@@ -22,6 +22,7 @@
 #include "sweep/report/pages/stability_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/evaluate_points.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
@@ -79,7 +80,7 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
 }
 
 /// What came of it, on standard output; `page` is empty where no report was requested.
-void tell(const Options& options, const SweepSummary& summary, const LoopUse& loop, double bound, const RunReport& run,
+void tell(const Options& options, const SweepSummary& summary, const Json& loop, double bound, const RunReport& run,
           const std::string& answer, const std::filesystem::path& page)
 {
     if (options.json) {
@@ -89,7 +90,7 @@ void tell(const Options& options, const SweepSummary& summary, const LoopUse& lo
                                     {"undecided", summary.undecided},
                                     {"held", summary.held},
                                     {"interpolated", summary.interpolated},
-                                    {"loop", loop_json(loop)},
+                                    {"loop", loop},
                                     {"results", absolute(run.results).string()},
                                     {"report", nullptr}};
         if (!page.empty()) json["report"] = absolute(page).string();
@@ -116,7 +117,7 @@ int sweep(const Options& options, Invocation& invocation)
     const auto date = timestamp(options.timestamp);
     Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     if (options.every_point) spec.nonlinear.interpolation = 0;
-    if (options.ideal_loop) leave_loop_out(spec);
+    const auto left_out = options.ideal_loop ? leave_loop_out(spec) : std::nullopt;
     choose_charts(spec);
     if (!options.spec.empty()) say_no_sliding(options.spec, {}, design_joint(spec));
 
@@ -156,15 +157,17 @@ int sweep(const Options& options, Invocation& invocation)
     const double undecided = static_cast<double>(summary.undecided) / static_cast<double>(summary.points);
     std::filesystem::path page;
     std::string answer = plain_text(verdict_text(design, verdict)) + "\n";
+    if (left_out) answer = of_ideal_loop(answer);
     if (!options.no_report) {
         auto stored = answer_sweep(spec, summary);
         stored.spec = plan_options.spec;
+        stored.left_out = left_out;
         write_sweep_answer(stored, options.directory);
         const auto report = stability_report(spec, summary, stored);
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
-    tell(options, summary, verdict.loop, spec.nonlinear.interpolation, run, answer, page);
+    tell(options, summary, loop_json(verdict.loop, left_out), spec.nonlinear.interpolation, run, answer, page);
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 

@@ -63,10 +63,10 @@ std::string moved_sentence(const MovedBoundary& moved, Units units, const std::s
 
 std::vector<LineChart::Line> ends(const MovedBoundary& moved, const std::string& with)
 {
-    std::vector<LineChart::Line> lines = {{"nominal joint", moved.velocities, moved.before.low, true},
-                                          {"nominal joint, upper end", moved.velocities, moved.before.high, true},
-                                          {with, moved.velocities, moved.after.low, false},
-                                          {with + ", upper end", moved.velocities, moved.after.high, false}};
+    std::vector<LineChart::Line> lines = {{"nominal joint", moved.speeds, moved.before.low, true},
+                                          {"nominal joint, upper end", moved.speeds, moved.before.high, true},
+                                          {with, moved.speeds, moved.after.low, false},
+                                          {with + ", upper end", moved.speeds, moved.after.high, false}};
     std::erase_if(lines, [](const LineChart::Line& line) {
         return std::ranges::count_if(line.y, [](double y) { return std::isfinite(y); }) < 2;
     });
@@ -89,7 +89,8 @@ Section moved_section(const MovedBoundary& moved, Units units, const std::string
     if (lines.empty()) return section;
     LineChart chart;
     chart.title = "The boundary moves";
-    chart.x_label = axis_label("commanded velocity V_{0}", Quantity::velocity, units);
+    chart.x_label = axis_label(moved.velocity < 0 ? "commanded speed |V_{0}|, backwards" : "commanded velocity V_{0}",
+                               Quantity::velocity, units);
     chart.y_label = axis_label("position gain k_{p}", Quantity::position_gain, units);
     chart.x_log = chart.y_log = true;
     chart.lines = std::move(lines);

@@ -146,6 +146,8 @@ void add_alerts(const RobotAnswer& robot, Report& r)
                 r.alerts.push_back({Tone::warning, joint.name + ": " + note_text(reason)});
         if (joint.diagnosis.interrupted)
             r.alerts.push_back({Tone::warning, joint.name + ": interrupted; the results so far are shown"});
+        else if (joint.lacks_gains)
+            r.alerts.push_back({Tone::warning, joint.name + ": interrupted; its page lacks gains"});
         if (joint.status == Status::not_reached)
             r.alerts.push_back({Tone::warning, joint.name + ": interrupted before its turn"});
     }

@@ -10,6 +10,7 @@
 #include "sweep/report/figures/reduction_map.h"
 #include "sweep/report/pages/first_screen.h"
 #include "sweep/report/pages/linear_report.h"
+#include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
@@ -140,6 +141,22 @@ Section design_section(const Spec& spec, const Joint& joint, const SweepAnswer& 
     return design;
 }
 
+void tell_ideal_loop(const SweepAnswer& answer, Report& report)
+{
+    if (!answer.left_out) return;
+    const Region region = answer.design.region;
+    tell_left_out(*answer.left_out, region == Region::stable || region == Region::memory_only, report);
+    report.verdict = of_ideal_loop(report.verdict);
+}
+
+/// A line without a verdict has nothing to draw.
+void add_profiles(const Joint& joint, const SweepSummary& summary, const SweepAnswer& answer, Section& maps)
+{
+    for (std::size_t i = 0; i < summary.profiles.size(); ++i)
+        if (std::ranges::any_of(summary.profiles[i].abscissa, [](double a) { return std::isfinite(a); }))
+            maps.figures.push_back(profile_figure(joint, summary.profiles[i], answer.profiles[i]));
+}
+
 }  // namespace
 
 Report stability_report(const Spec& spec, const SweepSummary& summary, const SweepAnswer& answer)
@@ -159,6 +176,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     const auto verdict = design_verdict(joint, linear, own.region, rests);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
+    tell_ideal_loop(answer, report);
     const auto& margins = answer.margins;
     Section maps{"maps", "Stability maps", "", {}, {}};
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
@@ -189,8 +207,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     for (std::size_t i = 0; i < summary.slices.size(); ++i)
         if (const auto& reduced = answer.maps[i].reduced)
             maps.figures.push_back(reduction_map(summary.slices[i], *reduced, units));
-    for (std::size_t i = 0; i < summary.profiles.size(); ++i)
-        maps.figures.push_back(profile_figure(joint, summary.profiles[i], answer.profiles[i]));
+    add_profiles(joint, summary, answer, maps);
     if (!maps.figures.empty()) report.sections.push_back(std::move(maps));
 
     if (auto outcomes = outcome_section(joint, summary, answer); !outcomes.figures.empty())

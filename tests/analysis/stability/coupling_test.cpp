@@ -61,6 +61,18 @@ TEST_CASE("critical gains under a normal load that moves", "[stability][coupling
     }
 }
 
+TEST_CASE("a normal load beside friction of the transmitted effort: the loop keeps its share of the gains",
+          "[stability][coupling]")
+{
+    auto joint = reference();
+    joint.normal.displacement = 1e4, joint.normal.velocity = 5, joint.normal.acceleration = 0.1;
+    auto lossless = joint;
+    joint.friction.load_coefficient = 0.25;
+    lossless.control.k_p *= 0.75, lossless.control.k_v *= 0.75;
+    CHECK(growth_rate(joint) == Approx(growth_rate(lossless)).epsilon(1e-9));
+    CHECK(velocity_only_growth_rate(joint) == Approx(velocity_only_growth_rate(lossless)).epsilon(1e-9));
+}
+
 TEST_CASE("the velocity-only theory knows of the load and not of the state", "[stability][coupling]")
 {
     auto joint = reference();

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace stickslip;
 
@@ -77,4 +78,17 @@ TEST_CASE("A cascade whose integral stands at its limit is its gains without it"
     Joint plain = example_joint(90e3, 100, 1e-3);
     CHECK(growth_rate(joint) == Approx(growth_rate(plain)));
     CHECK(nonlinear_verdict(joint, {}).growth_rate == Approx(growth_rate(plain)).epsilon(1e-3));
+}
+
+TEST_CASE("The price of an integral counts a gain that may fall like one that may grow", "[loop]")
+{
+    // k_cr of the ideal loop is 53851 N/m, and 70076 N/m with k_i = 1e6 N/(m·s): both below the gain
+    Joint joint = example_joint(2 * 53851.485149, 10, 1e-3);
+    joint.control.k_i = 1e6;
+    const auto cost = integral_cost(joint, linear_verdict(joint));
+    REQUIRE(cost);
+    const double with = joint.control.k_p / 70075.894106;
+    CHECK(cost->without == Approx(1));
+    CHECK(cost->with == Approx(with - 1));
+    CHECK(cost->share() == Approx(1 - std::log(with) / std::log(2)));
 }

@@ -35,6 +35,32 @@ Joint told_joint(const Told& t)
 
 }  // namespace
 
+TEST_CASE("a window whose ends lie close together in frequency is found")
+{
+    // K_pos of a cascade on a DC motor behind dead time: the border is crossed at 90.4 and 116.7 rad/s, between which
+    // the phase turns by 0.003 rad. The ends are those of a spectral discretization of the dead time, apart from the
+    // program.
+    Joint joint = differencing_joint(60e3, 0);
+    joint.mechanism.inertia = 9.294175147136288;
+    RateAndState law;
+    law.f0 = 30.183979730417708, law.A = 2.769646854583959, law.V_star = 0.00012060918189380325;
+    for (const double B : {2.1833762459122683, 1.0626667523027444, 1.2159853506853087}) law.B.push_back(B);
+    for (const double L : {2.1361305358199915e-06, 6.18109218071339e-05, 2.8960509119625165e-05}) law.L.push_back(L);
+    joint.friction.law = law;
+    joint.actuator.kind = ActuatorKind::dc_motor;
+    joint.actuator.k_t = 3.0554387805530228, joint.actuator.k_e = 0.4066004943459535;
+    joint.actuator.resistance = 1.480540011049333, joint.actuator.effort_gain = 0.6608553194813112;
+    auto& c = joint.control;
+    c.V0 = 0.0043450845410590196, c.delay = 0.0010034980221637845;
+    c.velocity_estimate = {};
+    c.velocity_estimate.tau = 0.0004136425069372048;
+    c.k_v = 191.22651095365833, c.k_p = 177.8269608314216 * c.k_v;
+    const auto windows = linear_verdict(joint).state_variable.stable_intervals;
+    REQUIRE(windows.size() == 1);
+    CHECK(windows[0].low == Approx(372.637512117 * c.k_v).epsilon(1e-8));
+    CHECK(windows[0].high == Approx(591.847591198 * c.k_v).epsilon(1e-8));
+}
+
 TEST_CASE("Windows of stable k_p of real loops are those that were told")
 {
     for (const auto& t : table) {

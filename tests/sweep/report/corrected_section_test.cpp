@@ -1,7 +1,9 @@
 // What the page of a diagnosis says of the gains: the chart of both joints, how they move, and which gains are right.
 #include "sweep/report/pages/corrected_section.h"
 
+#include "analysis/diagnosis/diagnose.h"
 #include "analysis/stability/verdict.h"
+#include "sweep/report/figures/moved_boundary.h"
 #include "tests/analysis/simulation/joints.h"
 #include "tests/in_order.h"
 
@@ -98,4 +100,66 @@ TEST_CASE("a joint that stands still or controls a force is offered no gains", "
     add_corrected_gains(section, corrected_gains(forced, forced, 1e-3, test::in_order), units_of(joint),
                         "with nothing");
     CHECK_THAT(section.text, Contains("No gains were looked for: the motor is a source of force"));
+}
+
+TEST_CASE("right gains behind dead time: by ticks they are searched, without a period stickslip design does it",
+          "[report]")
+{
+    Joint before = example_joint(80e3, 10, 1e-3);
+    before.control.delay = 1e-3;
+    Joint after = before;
+    std::get<RateAndState>(after.friction.law).L[0] = 8e-6;
+    const auto text_of = [&](const CorrectedGains& gains) {
+        Section section;
+        add_corrected_gains(section, gains, units_of(before), "with frictional-memory");
+        return section.text;
+    };
+    const auto late = corrected_gains(before, after, 1e-3, test::in_order);
+    CHECK(late.none == NoGains::dead_time);
+    CHECK_FALSE(late.right);
+    CHECK_THAT(text_of(late), Contains("No gains were looked for: behind dead time without a period") &&
+                                  Contains("stickslip design corrected-joint.toml does it"));
+
+    for (Joint* joint : {&before, &after}) joint->control.period = 1e-3;
+    const auto ticked = corrected_gains(before, after, 1e-3, test::in_order);
+    REQUIRE((ticked.right && ticked.right->feasible));
+    Joint right = after;
+    right.control.V0 = 1e-3, right.control.k_p = ticked.right->best.k_p, right.control.k_v = ticked.right->best.k_v;
+    CHECK(linear_verdict(right).loop.kind == LoopKind::sampled);
+    CHECK(linear_verdict(right).state_variable.stable);
+    CHECK_THAT(text_of(ticked), Contains("Right for the joint with frictional-memory would be k_{p} = ") &&
+                                    !Contains("states no period"));
+}
+
+TEST_CASE("an interruption of the search for gains leaves the rest of the page", "[report]")
+{
+    const Joint before = with_length(1e-5), after = with_length(5e-6);
+    const auto gains = corrected_gains(before, after, 1e-3, [](std::size_t, const auto&) { throw gap::Interrupted(); });
+    CHECK(gains.none == NoGains::interrupted);
+    Section section;
+    add_corrected_gains(section, gains, units_of(before), "with frictional-memory");
+    CHECK_THAT(section.text, Contains("the search was interrupted; stickslip design corrected-joint.toml does it"));
+    CHECK((map_of(section, "map-nominal") && map_of(section, "map-corrected") && !map_of(section, "map-right")));
+    CHECK(section.tables.size() == 1);  // how both joints move
+}
+
+TEST_CASE("a joint that is commanded backwards has its boundary, its motions and its gains", "[report]")
+{
+    Joint before = with_length(1e-5), after = with_length(5e-6);
+    for (Joint* joint : {&before, &after}) {  // the same law with an answer backwards, too
+        RateAndStateRegularised law;
+        static_cast<RateStateParameters&>(law) = std::get<RateAndState>(joint->friction.law);
+        joint->friction.law = law;
+    }
+    const auto forth = moved_boundary(before, after, 1e-3), back = moved_boundary(before, after, -1e-3);
+    CHECK(back.velocity == -1e-3);
+    CHECK(back.speeds == forth.speeds);
+    CHECK(back.after.low.front() == Approx(forth.after.low.front()));
+    const auto section = moved_section(back, units_of(before), "with frictional-memory", "");
+    CHECK_THAT(section.text, !Contains("no motion") && Contains("sticks and slips with frictional-memory"));
+    CHECK(std::get<LineChart>(section.figures.at(0).picture).x_label.name.find("backwards") != std::string::npos);
+    const auto gains = corrected_gains(before, after, -1e-3, test::in_order);
+    REQUIRE((gains.right && gains.right->feasible));
+    CHECK(gains.settled_after.low < -1e-3);
+    CHECK(gains.settled_after.high > -1e-3);
 }

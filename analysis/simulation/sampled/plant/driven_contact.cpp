@@ -221,6 +221,13 @@ void DrivenJoint::enter(double* y)
     }
 }
 
+bool DrivenJoint::driven_backwards(const double* y) const
+{
+    for (int i = 0; i < bodies(); ++i)
+        if (body_[i].logarithmic && contact(y, i, false).r.force < 0) return true;
+    return false;
+}
+
 double DrivenJoint::link_friction(const double* y) const
 {
     if (modes[link()] == Mode::stuck) return needed(y, link());

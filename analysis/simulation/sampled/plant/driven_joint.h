@@ -59,6 +59,9 @@ class DrivenJoint {
     int first_state(int i) const { return body_[i].first_state; }
     bool can_rest(int i) const { return body_[i].rests; }
     bool anything_can_rest() const;
+    /// A body under a logarithmic law has no speed but forwards. One that is pulled backwards crawls on, against a
+    /// friction below zero, which no contact has.
+    bool driven_backwards(const double* y) const;
 
     void rate(const double* y, double* out) const;
     /// Row by row.

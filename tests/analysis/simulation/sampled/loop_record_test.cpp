@@ -104,6 +104,19 @@ TEST_CASE("loop record: what cannot be followed is said")
     const auto record = record_along(joint, swing(0.5, 1e-3), 0);
     CHECK(record.time.empty());
     CHECK(record.reason == Reason::law_needs_motion);
+    // forwards, and back after half a second
+    ReferenceMotion turn;
+    for (int i = 0; i <= 1000; ++i) {
+        turn.time.push_back(i * 1e-3);
+        turn.position.push_back(0.25 - (turn.time.back() - 0.5) * (turn.time.back() - 0.5));
+    }
+    const auto turned = record_along(joint, turn, 0);
+    CHECK(turned.reason == Reason::law_needs_motion);
+    CHECK(turned.why == Detail::law_at_rest);
+    REQUIRE(!turned.time.empty());
+    CHECK(turned.time.back() > 0.45);
+    CHECK(turned.time.back() < 0.6);
+    CHECK(turned.effort_measured.size() == turned.time.size());
     joint = sampled_joint();
     joint.control.period = not_set;
     CHECK(record_along(joint, {{0, 0.1, 0.3}, {0, 1, 2}, {}, {}}, 0).reason == Reason::unsupported);

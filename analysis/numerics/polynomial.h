@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 namespace stickslip {
 
@@ -43,6 +44,17 @@ inline double outermost_real_root(double a, double b, double c)
     return s;
 }
 
+/// The two small roots of s³ + a s² + b s + c where the large one, r, leaves no number of c in its own units: in units
+/// of theirs.
+inline std::array<std::complex<double>, 2> roots_beside_large(double r, double b, double c)
+{
+    const double unit = std::max(std::abs(b / r), std::sqrt(std::abs(c)) / std::sqrt(std::abs(r)));
+    const double q = -(c / unit) / (r * unit), p = (q * unit - b / unit) / r;
+    auto pair = quadratic_roots(p, q);
+    for (auto& s : pair) s *= unit;
+    return pair;
+}
+
 /// All roots of s³ + a s² + b s + c; a real one first, then the other two.
 inline std::array<std::complex<double>, 3> cubic_roots(double a, double b, double c)
 {
@@ -51,6 +63,10 @@ inline std::array<std::complex<double>, 3> cubic_roots(double a, double b, doubl
     if (!(scale > 0) || !std::isfinite(scale)) return {{{c == 0 ? 0 : c, 0}, {0, 0}, {0, 0}}};
     const double A = a / scale, B = b / scale / scale, C = c / scale / scale / scale;
     const double r = outermost_real_root(A, B, C);
+    if (c != 0 && std::abs(C) < std::numeric_limits<double>::min()) {
+        const auto pair = roots_beside_large(r * scale, b, c);
+        return {{{r * scale, 0}, pair[0], pair[1]}};
+    }
     // (s − r)(s² + p s + q): a large root is divided out from the constant end, a small one from the leading end
     const bool large = std::abs(r * r * r) > std::abs(C);
     const double q = large ? -C / r : B + r * (A + r);

@@ -1,5 +1,7 @@
 // The critical position gain in closed form, for friction with one state on a single mass.
 #pragma once
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "analysis/stability/linear_friction.h"
@@ -22,11 +24,16 @@ inline std::optional<CriticalGain> critical_gain(double inertia, double k_v, con
     if (friction.states != 1) return std::nullopt;
     const double C = k_v + friction.f_v;
     const double gamma = friction.weight(0), decay = -friction.lambda[0];
-    const double omega_squared = decay * (gamma - C * decay) / C;
-    if (!(C > 0 && decay > 0 && omega_squared > 0)) return std::nullopt;
-    const double k_cr = omega_squared * (inertia + C / decay);
+    const double excess = gamma - C * decay, omega_squared = decay * excess / C;
+    if (!(C > 0 && decay > 0 && excess > 0)) return std::nullopt;
+    double k_cr = omega_squared * (inertia + C / decay), omega = std::sqrt(omega_squared);
+    // the slowest velocities have frequencies whose squares are no numbers
+    if (omega_squared < std::numeric_limits<double>::min()) {
+        k_cr = excess * (1 + inertia * (decay / C));
+        omega = std::sqrt(decay) * std::sqrt(excess / C);
+    }
     if (!std::isfinite(k_cr)) return std::nullopt;
-    return CriticalGain{k_cr, std::sqrt(omega_squared)};
+    return CriticalGain{k_cr, omega};
 }
 
 }  // namespace stickslip

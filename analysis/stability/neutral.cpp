@@ -44,16 +44,16 @@ double side_of_axis(const LinearMass& mass, Complex s)
 {
     if (far_from_axis(s)) return s.real();
     const auto& f = mass.friction;
-    Complex memory = 0, memory_slope = 0;
+    Complex memory = 0, memory_slope = 0;  // the slope times s, as at the slowest velocities it is no number itself
     for (int i = 0; i < f.states; ++i) {
         const Complex gap = s - f.lambda[i];
         memory += f.weight(i) / gap;
-        memory_slope -= f.weight(i) / (gap * gap);
+        memory_slope -= f.weight(i) / gap * (s / gap);
     }
     const double size = std::abs(s);
     const double terms = mass.inertia * size * size +
                          (std::abs(mass.k_v) + std::abs(f.f_v) + size_of_transfer(f, s)) * size + std::abs(mass.k_p);
-    return clear_of_rounding(s, terms, 2 * mass.inertia * s + mass.k_v + f.f_v - memory - memory_slope * s);
+    return clear_of_rounding(s, terms, 2 * mass.inertia * s + mass.k_v + f.f_v - memory - memory_slope);
 }
 
 double side_of_axis(const LinearJoint& j, Complex s)

@@ -49,14 +49,19 @@ LoopTiming timing_of(const Joint& joint)
 /// Delayed friction beside the states of the mechanism, and a count of the roots that they have together.
 /// The mechanism has the friction of slow motion, and what is delayed is what differs from that: without any
 /// resistance of its own it would be two integrators, of which delayed friction had to take one away near 0, where no
-/// digit of the difference is left.
+/// digit of the difference is left. Where such friction falls so steeply that the mechanism would grow beyond all
+/// digits within a tick, it rises as steeply instead, and what is delayed makes up for twice as much.
 DelayedPlant delayed_plant(const Joint& joint, const LinearJoint& linear, double velocity)
 {
+    constexpr double most_growth = 9;  // as a power of e within a tick; the rest of the digits are those of the sum
+    const double tick = loop_kind(joint) == LoopKind::sampled ? joint.control.period : 0;
     LinearJoint slow = linear;
     std::array<double, max_bodies> at_rest{};
     for (int i = 0; i < linear.bodies; ++i) {
         if (linear.friction[i].rational()) continue;
         at_rest[i] = transfer(delayed_part(linear.friction[i]), 0).real();
+        if (const double falls = at_rest[i] - linear.friction[i].f_v; falls * tick > most_growth * linear.inertia[i])
+            at_rest[i] -= 2 * falls;
         slow.friction[i].f_v -= at_rest[i];
     }
     DelayedPlant delayed{loop_plant(joint, slow, velocity), {}, {}};

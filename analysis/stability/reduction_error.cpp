@@ -101,27 +101,44 @@ double growth_rate(const Reduction& reduced)
     return loop ? growth(*loop) : missing;
 }
 
+namespace {
+
+/// A number with the sign of the growth; behind dead time a count of roots, which costs much less than to locate them.
+double side(const Reduction& reduced)
+{
+    const auto steady = steady_sliding(reduced.joint);
+    if (steady.reason != Reason::none) return missing;
+    if (loop_kind(reduced.joint) != LoopKind::continuous) return growth_rate(reduced);
+    const double sliding = sliding_velocity(reduced.joint, steady.velocity);
+    const auto loop = real_loop(reduced.joint, linear_joint(reduced, sliding), sliding, TurnedGain::all);
+    return loop ? side(*loop) : missing;
+}
+
+}  // namespace
+
 ReductionError compare_reduction(const Joint& full, const std::function<Reduction(const Joint&)>& reduce,
                                  std::string_view path, double low, double high, int scan)
 {
     Joint joint = full;
     double* parameter = find_parameter(joint, path);
     if (!parameter) throw std::invalid_argument("the joint has no parameter " + std::string(path));
-    const auto abscissa = [&](double value, bool reduced) {
+    Reduction whole;
+    const auto side_at = [&](double value, bool reduced) {
         *parameter = value;
-        return reduced ? growth_rate(reduce(joint)) : growth_rate(joint);
+        if (reduced) return side(reduce(joint));
+        whole.joint = joint;
+        return side(whole);
     };
     ReductionError result;
     const Reduction small = reduce(full);
     // crossings in k_p are those at one velocity, and of a reduction that leaves the loop as it is
     if (path == "control.k_p" && small.joint.control.k_p == full.control.k_p && !gain_moves_sliding(full)) {
-        Reduction whole;
         whole.joint = full;
         result.full = gain_boundaries(whole, low, high);
         result.reduced = gain_boundaries(small, low, high);
     } else {
-        result.full = sign_changes([&](double v) { return abscissa(v, false); }, low, high, scan);
-        result.reduced = sign_changes([&](double v) { return abscissa(v, true); }, low, high, scan);
+        result.full = sign_changes([&](double v) { return side_at(v, false); }, low, high, scan);
+        result.reduced = sign_changes([&](double v) { return side_at(v, true); }, low, high, scan);
     }
     if (result.full.size() != result.reduced.size()) {
         result.error = infinity;

@@ -1,5 +1,6 @@
 #include "analysis/stability/study.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/joint/gains.h"
@@ -11,6 +12,16 @@
 
 namespace stickslip {
 namespace {
+
+/// Velocities that are looked at: fewer where each costs a count of roots, still fewer with many dead ticks.
+constexpr int many_velocities = 200, counted_velocities = 60, few_velocities = 40, fewest_velocities = 10;
+
+/// Of a real loop, where each costs a search, as many as less than the usual effort leaves.
+int affordable(int velocities, const Joint& joint)
+{
+    if (search_effort() >= 1 || loop_kind(joint) == LoopKind::ideal) return velocities;
+    return std::clamp(static_cast<int>(velocities * search_effort()), fewest_velocities, velocities);
+}
 
 /// Several bodies and real loops ask for a set of gains at each velocity, one mass of the ideal loop for a slope.
 int range_scan(const Joint& joint, bool costly)
@@ -27,11 +38,9 @@ int range_scan(const Joint& joint, bool costly)
     return 0;
 }
 
-/// What costs many searches is computed for joints with delays only where more than the usual effort is allowed.
+/// What costs many searches is computed for joints with delays only where more than the usual effort is allowed, for
+/// real loops not with less.
 constexpr double effort_of_delayed_studies = 10;
-
-/// Velocities that are looked at: fewer where each costs a count of roots, still fewer with many dead ticks.
-constexpr int many_velocities = 200, counted_velocities = 60, few_velocities = 40;
 
 std::vector<ReductionStudy> named_only(const Joint& joint)
 {
@@ -75,7 +84,8 @@ LinearStudy linear_study(const Joint& given)
     const auto linear = linear_joint(joint, steady.velocity);
     const bool effort = search_effort() >= effort_of_delayed_studies;
     const bool costly = !effort && many_dead_ticks(joint);
-    const bool thorough = (linear.rational() && !costly) || effort;
+    const bool hasty = search_effort() < 1 && loop_kind(joint) != LoopKind::ideal;
+    const bool thorough = (linear.rational() && !costly && !hasty) || effort;
     const auto gains = stable_gains(joint);
     if (const auto response = LoopResponse::of(joint, Theory::state_variable)) {
         study.compliance = std::abs(response->at(0));
@@ -91,13 +101,12 @@ LinearStudy linear_study(const Joint& given)
         const auto [low, high] = study.velocities =
             back ? Interval{-V * reach, -V / reach} : Interval{V / reach, V * reach};
         const bool counted = !linear.rational() || loop_kind(joint) == LoopKind::continuous;
-        const int scan = study.velocities_looked_at = effort    ? many_velocities
-                                                      : costly  ? few_velocities
-                                                      : counted ? counted_velocities
-                                                                : many_velocities;
+        const int usual = costly ? few_velocities : counted ? counted_velocities : many_velocities;
+        const int scan = study.velocities_looked_at = effort ? many_velocities : affordable(usual, joint);
         study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only, scan);
         study.state_variable = stable_velocities(joint, low, high, Theory::state_variable, scan);
-        study.range_gain = velocity_gain_for_range(joint, back ? low : high, range_scan(joint, costly));
+        study.range_gain =
+            velocity_gain_for_range(joint, back ? low : high, affordable(range_scan(joint, costly), joint));
     }
     study.comparison = compare_theories(joint, gains);
     if (is_set(joint.control.period)) {

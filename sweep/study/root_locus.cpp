@@ -1,6 +1,7 @@
 #include "sweep/study/root_locus.h"
 
 #include "analysis/boundary/trace/locate.h"
+#include "analysis/stability/frequency_search.h"
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
@@ -86,7 +87,8 @@ std::vector<GainRoots> coarse_root_locus(const Joint& joint)
 {
     const bool finite = (loop_kind(joint) == LoopKind::sampled && !many_dead_ticks(joint)) ||
                         (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
-    const int steps = finite ? 48 : 8;  // where roots have no end, each gain costs a search
+    // where roots have no end, each gain costs a search
+    const int steps = finite ? 48 : search_effort() < 1 ? 2 : 8;
     std::vector<double> gains;
     for (int i = 0; i <= steps; ++i) gains.push_back(joint.control.k_p * std::pow(10, 4.0 * i / steps - 2));
     const auto rows = root_locus(joint, gains);

@@ -1,10 +1,12 @@
 // Random joints of every law, model and control: does any linear answer contradict another? With --loops joints with
-// real loops: does any verb, and the motion itself, contradict another? Usage:
-// reliability_consistency --joints N [--from K] [--loops] [--seconds S] [--log FILE], for the joints K … N − 1. A joint
-// is drawn from its number alone. The log holds one line a thousand joints, with --loops one a joint; a run that finds
-// one goes on behind it, and --seconds ends a slice of it at the first joint after so much CPU time. Standard error
-// tells every ten seconds of CPU time how far it is.
+// real loops: does any verb, and the motion itself, contradict another? With --roots the same joints: is every root
+// one, and does none lie right of the growth? Usage:
+// reliability_consistency --joints N [--from K] [--loops | --roots] [--seconds S] [--log FILE], for the joints
+// K … N − 1. A joint is drawn from its number alone. The log holds one line a thousand joints, with --loops one a
+// joint; a run that finds one goes on behind it, and --seconds ends a slice of it at the first joint after so much CPU
+// time. Standard error tells every ten seconds of CPU time how far it is.
 #include "tests/analysis/loop/random_loop.h"
+#include "tests/analysis/loop/real_roots.h"
 #include "tests/analysis/stability/random_joint.h"
 
 #include <algorithm>
@@ -31,12 +33,15 @@ int main(int argc, char** argv)
     using namespace stickslip;
     std::uint64_t joints = 10'000, number = 0, faults = 0;
     std::string log;
-    bool loops = false;
+    bool loops = false, roots = false;
+    samples::RootsSeen seen;
     double slice = HUGE_VAL;
     for (int i = 1; i < argc; ++i) {
         const bool more = i + 1 < argc;
         if (!std::strcmp(argv[i], "--loops"))
             loops = true;
+        else if (!std::strcmp(argv[i], "--roots"))
+            roots = true;
         else if (more && !std::strcmp(argv[i], "--joints"))
             joints = std::stoull(argv[++i]);
         else if (more && !std::strcmp(argv[i], "--from"))
@@ -68,8 +73,9 @@ int main(int argc, char** argv)
         std::string fault;
         const double begun = cpu_seconds();
         try {
-            fault = loops ? samples::contradiction_of_verbs(samples::random_loop(number))
-                          : samples::contradiction(samples::random_joint(number));
+            fault = roots   ? samples::contradiction_of_roots(samples::random_loop(number), seen)
+                    : loops ? samples::contradiction_of_verbs(samples::random_loop(number))
+                            : samples::contradiction(samples::random_joint(number));
         } catch (const std::exception& e) {
             fault = std::string("exception: ") + e.what();
         }
@@ -86,9 +92,12 @@ int main(int argc, char** argv)
             std::ofstream(log, std::ios::app) << number + 1 << ' ' << faults << std::endl;
     }
     std::printf("%s compared: %llu joints, %llu of them in this run, contradictions: %llu\n",
-                loops ? "answers of the verbs about real loops" : "linear answers",
+                roots   ? "roots of real loops"
+                : loops ? "answers of the verbs about real loops"
+                        : "linear answers",
                 static_cast<unsigned long long>(number), static_cast<unsigned long long>(number - first),
                 static_cast<unsigned long long>(faults));
+    if (roots) std::printf("  roots: %ld, counts: %ld, counts left open: %ld\n", seen.roots, seen.counts, seen.open);
     for (const auto& [kind, count] : kinds)
         std::printf("  %s: %llu\n", kind.c_str(), static_cast<unsigned long long>(count));
     for (const auto& [seconds, joint] : slowest)

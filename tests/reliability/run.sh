@@ -20,6 +20,7 @@ check "points" "$build/tests/reliability/reliability_points" --points $((100000 
 check "consistency" "$build/tests/reliability/reliability_consistency" --joints $((10000 * scale)) --log "$build/consistency.log"
 check "verbs about loops" "$build/tests/reliability/reliability_consistency" --loops --joints $((500 * scale)) \
     --log "$build/consistency-loops.log"
+check "roots of loops" "$build/tests/reliability/reliability_consistency" --roots --joints $((1000 * scale))
 check "loops" "$here/loops.py" "$build/tests/reliability/reliability_loops" $((250 * scale)) 2
 check "hunting" "$build/tests/reliability/reliability_hunting" --loops $((1000 * scale))
 for target in "$here"/../fuzz/corpus/*; do

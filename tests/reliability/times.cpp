@@ -1,8 +1,9 @@
 // What `evaluate --json`, with --text `evaluate`, and `margins` take in CPU time, over random joints of every law,
 // model and control. Usage:
-// reliability_times [--joints N] [--from K] [--loops] [--text] [--margins] [--limit SECONDS] [--slow FOLDER], for the
-// joints K … N − 1, drawn as reliability_consistency draws them. Joints above the limit are printed with the times of
-// their stages (roots, nonlinear, study, rest), and written to FOLDER for `stickslip`.
+// reliability_times [--joints N] [--from K] [--loops] [--text] [--margins] [--effort E] [--limit SECONDS]
+// [--slow FOLDER], for the joints K … N − 1, drawn as reliability_consistency draws them. Joints above the limit are
+// printed with the times of their stages (roots, nonlinear, study, rest), and written to FOLDER for `stickslip`.
+#include "analysis/stability/frequency_search.h"
 #include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/study/evaluation.h"
@@ -27,11 +28,12 @@ double cpu_seconds()
 }
 
 /// What the verb computes, and the CPU time of each of its stages.
-std::vector<double> evaluate(const Joint& joint, bool text)
+std::vector<double> evaluate(const Joint& joint, bool text, double effort)
 {
     EvaluationQuestion question;
     question.joint = joint;
     question.nonlinear.bifurcation = true;
+    question.nonlinear.effort = effort;
     question.study = !text;
     std::vector<double> begun;
     evaluate_joint(question, [&](EvaluationStage) { begun.push_back(cpu_seconds()); });
@@ -46,7 +48,7 @@ std::vector<double> evaluate(const Joint& joint, bool text)
 int main(int argc, char** argv)
 {
     std::uint64_t joints = 200, from = 0;
-    double limit = 1;
+    double limit = 1, effort = 1;
     bool margins = false, loops = false, text = false;
     std::filesystem::path folder;
     for (int i = 1; i < argc; ++i) {
@@ -57,6 +59,8 @@ int main(int argc, char** argv)
             from = std::stoull(argv[++i]);
         else if (more && !std::strcmp(argv[i], "--limit"))
             limit = std::stod(argv[++i]);
+        else if (more && !std::strcmp(argv[i], "--effort"))
+            effort = std::stod(argv[++i]);
         else if (more && !std::strcmp(argv[i], "--slow"))
             folder = argv[++i];
         else if (!std::strcmp(argv[i], "--margins"))
@@ -68,6 +72,7 @@ int main(int argc, char** argv)
         else
             return std::fprintf(stderr, "unknown option %s\n", argv[i]), 2;
     }
+    set_search_effort(effort);
     std::vector<double> seconds;
     int slow = 0;
     for (std::uint64_t number = from; number < joints; ++number) {
@@ -77,7 +82,7 @@ int main(int argc, char** argv)
         if (margins)
             margins_of(joint);
         else
-            stages = evaluate(joint, text);
+            stages = evaluate(joint, text, effort);
         const double took = cpu_seconds() - begin;
         seconds.push_back(took);
         if (took <= limit) continue;

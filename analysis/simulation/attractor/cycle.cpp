@@ -72,6 +72,8 @@ std::optional<Revolution> stepped_revolution(const Flow& flow, const FlowVector&
     bool below = false;  // has left the section downwards
     int returns = 0;
     for (int count = 0; count < options.step_limit; ++count) {
+        if (options.work && options.work->spent()) return {};
+        if (options.work) options.work->spend(Work::of_step(n));
         step.h = h;
         FlowMatrix next = rodas5p_step(flow, step, phi);
         const double error = scaled_error(step, scale, options.rtol);

@@ -2,6 +2,7 @@
 // existence, stability and period doublings are computed rather than watched.
 #pragma once
 #include "analysis/simulation/flows/flow.h"
+#include "analysis/simulation/solvers/work.h"
 
 #include <optional>
 
@@ -13,6 +14,7 @@ struct CycleOptions {
     int newton_steps = 20;
     double closure = 1e-9;   ///< largest gap of a closed cycle, in units of the flow's scale
     int step_limit = 50000;  ///< of one revolution; thousands are usual
+    Work* work = nullptr;    ///< that steps may take; none: as much as they need
 };
 
 /// A closed orbit. It starts where V falls through V_0, that is at its largest position.

@@ -94,7 +94,7 @@ bool Follower::shoot_repeat(int watched_turns)
 {
     if (!several_turns_.taken_at(result_.turns)) return false;
     const double rtol = std::min(1e-9, options_.rtol);
-    const auto orbit = attracting_orbit(flow_, points_.back(), watched_turns, rtol, alike * amplitude());
+    const auto orbit = attracting_orbit(flow_, points_.back(), watched_turns, rtol, alike * amplitude(), options_.work);
     if (!orbit) return false;
     result_.take(orbit->cycle);
     result_.repeats = full_turns(turns_, std::min(orbit->turns, static_cast<int>(turns_.size())));

@@ -36,11 +36,12 @@ Orbit shortest(const Flow& flow, Orbit orbit, CycleOptions options)
 }  // namespace
 
 std::optional<Orbit> attracting_orbit(const Flow& flow, const FlowVector& guess, int watched_turns, double rtol,
-                                      double reach)
+                                      double reach, Work* work)
 {
     CycleOptions options;
     options.rtol = rtol;
     options.turns = watched_turns;
+    options.work = work;
     const auto near = revolve(flow, guess, options);
     if (!near || std::abs(floquet_multipliers(flow, *near)[0]) > most_repelling) return {};
     for (int turns = 1; turns <= 2 * watched_turns; ++turns) {

@@ -11,8 +11,9 @@ struct Orbit {
 
 /// Of the orbits that close after a divisor of `watched_turns`, or after twice as many, the shortest that attracts and
 /// crosses the section within `reach` of `guess`, in units of the flow's scale. For flows that shooting may continue
-/// through all their motion, so not for bodies that come to rest.
+/// through all their motion, so not for bodies that come to rest. Nothing where the `work`, of which there may be no
+/// limit (null), is spent before.
 std::optional<Orbit> attracting_orbit(const Flow& flow, const FlowVector& guess, int watched_turns, double rtol,
-                                      double reach);
+                                      double reach, Work* work);
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/simulation/attractor/attractor.h"
+#include "analysis/simulation/attractor/orbit.h"
 #include "tests/analysis/simulation/joints.h"
 #include "tests/oracles/matrices.h"
 
@@ -100,6 +101,21 @@ TEST_CASE("two states without inertia: beside a doubling the repeat is the attra
         CHECK(end.path == DecisionPath::shooting);
         CHECK(std::abs(end.multipliers[0]) < 1);
     }
+}
+
+TEST_CASE("orbits of several turns are sought with the work that is left", "[nonlinear]")
+{
+    const auto flow = two_states(0.862);
+    const auto twice = follow(flow, flow.steady() + FlowVector::Constant(3, 0.05), false, {});
+    REQUIRE(twice.repeats == 2);
+    constexpr double rtol = 1e-9, reach = 0.1;
+    Work enough(1), little(1e-4);
+    CHECK(attracting_orbit(flow, twice.start, 2, rtol, reach, &enough));
+    CHECK_FALSE(enough.spent());
+    CHECK(enough.left() < Work(1).left());
+    CHECK_FALSE(attracting_orbit(flow, twice.start, 2, rtol, reach, &little));
+    CHECK(little.spent());
+    CHECK(little.left() > -Work::of_step(flow.size()));
 }
 
 TEST_CASE("two states and a small mass: where neighbouring motions part, the motion is irregular", "[nonlinear][slow]")

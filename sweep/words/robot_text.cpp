@@ -74,10 +74,14 @@ std::string robot_sentence(const RobotAnswer& robot)
     std::string text;
     for (const auto& joint : robot.joints)
         if (joint.differs()) text += (text.empty() ? "" : "; ") + joint.name + " by " + causes_words(joint.diagnosis);
-    text = differ.empty() ? fmt::format("None of {} joints differs from its file.", all)
-                          : fmt::format("{} of {} joints {} from {}: {}.", differ.size(), all,
-                                        differ.size() == 1 ? "differs" : "differ",
-                                        differ.size() == 1 ? "its file" : "their files", text);
+    const auto told = differ.size() + same.size();  // what the others do is not known
+    if (told == 0)
+        text = all == 1 ? "The joint was not diagnosed." : fmt::format("None of {} joints was diagnosed.", all);
+    else
+        text = differ.empty() ? fmt::format("None of {} diagnosed joints differs from its file.", told)
+                              : fmt::format("{} of {} joints {} from {}: {}.", differ.size(), all,
+                                            differ.size() == 1 ? "differs" : "differ",
+                                            differ.size() == 1 ? "its file" : "their files", text);
     if (!same.empty()) text += fmt::format(" {} {} as documented.", listed(same), same.size() == 1 ? "moves" : "move");
     if (!poor.empty()) text += fmt::format(" The records are not sufficient for {}.", listed(poor));
     if (!refused.empty()) text += fmt::format(" Not diagnosed: {}.", listed(refused));

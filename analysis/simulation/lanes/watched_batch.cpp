@@ -1,6 +1,7 @@
 #include "analysis/simulation/lanes/watched_batch.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "analysis/simulation/attractor/growth.h"
 #include "analysis/simulation/attractor/large_starts.h"
@@ -168,13 +169,18 @@ std::optional<WatchedScaled> watched_scaled(const Joint& joint)
     return in_range ? s : std::nullopt;
 }
 
+auto numbers_of(const PairGroups& g)
+{
+    return std::tie(g.stiffness, g.damping, g.motor_inertia, g.measured_link, g.link, g.motor, g.share, g.faster);
+}
+
 bool less(const WatchedGroups& a, const WatchedGroups& b)
 {
     if (a.law != b.law) return a.law < b.law;
     if (a.M != b.M) return a.M < b.M;
     if (a.c != b.c) return a.c < b.c;
     if (a.K != b.K) return a.K < b.K;
-    if (a.pair != b.pair) return a.pair < b.pair;
+    if (a.pair != b.pair) return numbers_of(a.pair) < numbers_of(b.pair);
     return std::lexicographical_compare(std::begin(a.own), std::end(a.own), std::begin(b.own), std::end(b.own));
 }
 

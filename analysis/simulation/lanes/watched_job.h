@@ -24,7 +24,7 @@ struct PairGroups {
     double measured_link;       ///< 1: the loop measures the link, 0: the motor
     double link, motor;         ///< β_i of a rate-and-state law, F_i V_0/A of viscous friction
     double share, faster;       ///< of the motor's law beside the link's: A_m/A, L/L_m; otherwise 1
-    auto operator<=>(const PairGroups&) const = default;
+    bool operator==(const PairGroups&) const = default;
 };
 
 /// A joint in the units of its law.

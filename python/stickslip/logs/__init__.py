@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Mapping
 
@@ -56,7 +57,7 @@ def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pan
     except StickslipError:
         raise
     except ImportError as error:
-        raise StickslipError(f"{path}: reading it needs {error.name} in this Python (Debian: python3-{error.name})") from None
+        raise StickslipError(f"{path}: reading it needs {error.name} in this Python, {sys.executable} (Debian: python3-{error.name})") from None
     except MemoryError:
         raise StickslipError(f"{path}: is damaged: a size in it exceeds memory") from None
     except Exception as error:  # whatever a parser trips over in a damaged file

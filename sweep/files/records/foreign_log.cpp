@@ -106,12 +106,21 @@ std::filesystem::path own_folder()
     return name;
 }
 
+/// The Python that reads logs. A `python3` of pyenv, conda or a virtual environment that stands first in PATH does not
+/// see what Debian's package has installed; that of the package always does.
+std::string reading_python()
+{
+    if (const char* chosen = std::getenv("STICKSLIP_PYTHON"); chosen && *chosen) return chosen;
+    return std::filesystem::exists("/usr/lib/python3/dist-packages/stickslip/convert.py") ? "/usr/bin/python3"
+                                                                                          : "python3";
+}
+
 }  // namespace
 
 std::vector<std::string> conversion_command(const std::string& log, const std::string& table, const std::string& joint,
                                             const LogOptions& options)
 {
-    std::vector<std::string> words{"python3", "-m", "stickslip.convert", log, table};
+    std::vector<std::string> words{reading_python(), "-m", "stickslip.convert", log, table};
     const std::pair<const char*, const std::string*> named[] = {
         {"--joint", &joint},       {"--topic", &options.topic}, {"--command", &options.command},
         {"--time", &options.time}, {"--group", &options.group}, {"--episode", &options.episode}};
@@ -157,6 +166,9 @@ ForeignLog::ForeignLog(const std::filesystem::path& log, const std::string& join
             constexpr std::size_t most = 5;  // the end of a traceback says what it is about
             if (lines.empty()) lines.push_back(log.string() + ": reading it ended with " + std::to_string(code));
             if (lines.size() > most) lines.erase(lines.begin(), lines.end() - most);
+            constexpr int by_python_itself = 1;  // it has no package stickslip, or one that does not start
+            if (code == by_python_itself)
+                lines.push_back("this was " + reading_python() + "; STICKSLIP_PYTHON=path chooses another Python");
             throw BadInput(lines);
         }
         guesses_ = std::move(lines);

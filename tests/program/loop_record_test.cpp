@@ -144,7 +144,7 @@ TEST_CASE("a reference that cannot be followed says why")
     const auto sliding = folder.write("joint.toml", example_joint_text(1, 6e4, 10, 1e-3));
     const auto run = stickslip("simulate " + sliding + " --reference " + motion + " -o " + (folder / "out"));
     CHECK(run.exit_code == 2);
-    CHECK_THAT(run.output, Catch::Contains("undefined at rest"));
+    CHECK_THAT(run.output, Catch::Contains("no friction at rest"));
     const auto broken = folder.write("broken.csv", "time,reference_position\n0,0\n1,x\n");
     const auto second = stickslip("simulate " + folder.write("machine.toml", machine) + " --reference " + broken);
     CHECK(second.exit_code == 2);

@@ -48,8 +48,9 @@ Trace simulate_closed_loop(const Plant& plant, const Ticks& ticks, std::uint64_t
         ticks.initial_velocity + (seed != 0 && !ticks.at_rest ? ticks.initial_velocity_error * at_start() : 0);
     mechanics.start(0, velocity, rest_at_start(plant, ticks), within_step);
     Controller controller(plant);
-    controller.restart(ticks.initial_integral);
-    if (!ticks.at_rest)
+    if (ticks.at_rest)
+        controller.restart(ticks.initial_integral);
+    else
         controller.restart_moving(mechanics.reading()[0], velocity, ticks.step[0], ticks.initial_integral);
     for (std::size_t k = 0; k < n; ++k) {
         double reading = mechanics.reading()[0];

@@ -5,6 +5,8 @@
 #include "analysis/friction/memory_step.h"
 #include "analysis/simulation/lanes/sine.h"
 
+#include <utility>
+
 namespace stickslip::gap {
 
 /// What the frictions of a pack have in common.
@@ -45,6 +47,7 @@ struct FrictionState {
     P theta = 0;    ///< memory state
     P speed = 0;    ///< lagged speed, for a level that follows the velocity late
     P force = 0;    ///< of a whole curve that is followed late
+    P gained = 0;   ///< velocity that a body on bristles gained in its last step: predicts that in mid-step
 };
 
 /// Where a step happens and what passes through, as far as friction asks.
@@ -181,28 +184,57 @@ struct SlidingStep {
     }
 };
 
+/// A step of bodies on bristles: ż = v − a z with a = σ0 |v|/level, f = σ0 z + σ1 ż + slope v, of second order. The
+/// bristle forgets by 1/(1 + x + x²/2) in place of e^-x, x = a h (Padé (0, 2): it never rings, and sliding keeps its
+/// steady deflection), and velocities are those in mid-step. A bristle or slope too stiff for that is taken at the end
+/// of the step, which is of first order and does not ring either.
+template <class P>
+struct BristleStep {
+    P keep, per_velocity;            ///< z' = keep z + per_velocity v_m
+    P mean_keep, mean_per_velocity;  ///< mean deflection, likewise
+    BristleStep(const P& forgets, const P& h)
+    {
+        keep = P(1.0) / (1.0 + forgets * (1.0 + 0.5 * forgets));
+        mean_keep = (1.0 + 0.5 * forgets) * keep;
+        per_velocity = h * mean_keep;
+        mean_per_velocity = 0.5 * h * (1.0 + forgets) * keep;
+    }
+    /// Velocity in mid-step and after the step.
+    std::pair<P, P> velocities(const FrictionPack<P>& r, const P& z, const P& v, const P& force, const P& slope,
+                               const P& mobility, const P& h) const
+    {
+        const P damping = r.bristle_damping / h;
+        const P resists = r.bristle_stiffness * mean_keep * z + damping * (keep - 1.0) * z;
+        const P stiff = mobility * (r.bristle_stiffness * mean_per_velocity + damping * per_velocity + slope);
+        const P at = select(stiff < P(1.0), P(0.5), P(1.0));  // where in the step the velocity is taken
+        const P taken = (v + at * mobility * (force - resists)) / (1.0 + at * stiff);
+        return {taken, (taken - (1.0 - at) * v) / at};
+    }
+};
+
 /// Velocity after a step in which the force other than friction is `force` and inverse inertia times step is
-/// `mobility`. Bristles are implicit in the new velocity, so that stiff ones stay stable; without bristles friction is
-/// set-valued at rest: the body stays at rest while |force| is not above the resistance.
+/// `mobility`. Without bristles friction is set-valued at rest: the body stays at rest while |force| is not above the
+/// resistance.
 template <class P>
 P friction_step(const FrictionPack<P>& r, FrictionState<P>& s, const P& v, const P& force, const P& mobility,
                 const P& h, const Surroundings<P>& at)
 {
-    const P zero(0.0), direction = copysign(P(1.0), select(v != zero, v, force));
-    const P level = resistance(r, s, abs(v), direction, at);
-    const P slope = viscous(r, direction);
+    const P zero(0.0);
     P next;
     if (r.has.bristles) {
-        // ż = v − σ0 |v| z / level; z' = (z + h v')/(1 + h σ0 |v|/level); f = σ0 z' + σ1 (z' − z)/h + slope v'
+        const P middle = v + 0.5 * s.gained;
+        const P direction = copysign(P(1.0), select(middle != zero, middle, force));
+        const P level = resistance(r, s, abs(middle), direction, at), slope = viscous(r, direction);
         const auto bends = zero < level;
-        const P decay = P(1.0) / (1.0 + h * r.bristle_stiffness * abs(v) / level);
-        const P stiff = r.bristle_stiffness + r.bristle_damping / h;
-        const P fixed = stiff * decay * s.bristle - r.bristle_damping / h * s.bristle;
-        next = (v + mobility * (force - fixed)) / (1.0 + mobility * (stiff * decay * h + slope));
-        s.bristle = select(bends, (s.bristle + h * next) * decay, s.bristle);
+        const BristleStep<P> step(h * r.bristle_stiffness * abs(middle) / level, h);
+        const auto [taken, after] = step.velocities(r, s.bristle, v, force, slope, mobility, h);
+        next = after;
+        s.bristle = select(bends, step.keep * s.bristle + step.per_velocity * taken, s.bristle);
         if (!every(bends)) next = select(bends, next, SlidingStep<P>(level, slope, mobility)(v, force));
+        s.gained = next - v;
     } else {
-        next = SlidingStep<P>(level, slope, mobility)(v, force);
+        const P direction = copysign(P(1.0), select(v != zero, v, force));
+        next = SlidingStep<P>(resistance(r, s, abs(v), direction, at), viscous(r, direction), mobility)(v, force);
     }
     remember(r, s, 0.5 * abs(v + next), h);
     return next;

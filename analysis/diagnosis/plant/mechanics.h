@@ -250,6 +250,7 @@ class Mechanics {
         f(a.driven_apart, b.driven_apart);
         f(a.motor.bristle, b.motor.bristle), f(a.motor.theta, b.motor.theta);
         f(a.motor.speed, b.motor.speed), f(a.motor.force, b.motor.force);
+        f(a.motor.gained, b.motor.gained), f(a.link.gained, b.link.gained);
         f(a.link.bristle, b.link.bristle), f(a.link.theta, b.link.theta);
         f(a.link.speed, b.link.speed), f(a.link.force, b.link.force);
     }

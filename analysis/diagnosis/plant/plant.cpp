@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stickslip::gap {
 namespace {
@@ -88,6 +89,18 @@ FlatFriction flatten(const Friction& f)
     return r;
 }
 
+constexpr double shortest_step = 15e-6;  // s
+
+/// s, in which a body that nothing but its Stribeck peak drives crosses an eighth of the peak's width; no limit where
+/// that is less than the shortest step: then the friction drops at once, as it does from a static level.
+double step_over_peak(const FlatFriction& r, double inertia)
+{
+    constexpr double share = 0.125, none = std::numeric_limits<double>::infinity();
+    if (!(r.stribeck > 0)) return none;
+    const double step = share * r.stribeck_velocity * inertia / r.stribeck;
+    return step < shortest_step ? none : step;
+}
+
 }  // namespace
 
 Plant flatten(const Joint& joint)
@@ -129,8 +142,8 @@ double longest_step(const Plant& p)
 {
     // s; exact under constant force, so that only laws which bend within a tick need the shorter one
     constexpr double plain_step = 0.5e-3, bent_step = 0.25e-3;
-    // bristles forget at k|v|/F_c, a thousand times a second and more
-    constexpr double bristle_step = 0.03125e-3;
+    // bristles are of second order: LuGre joints of 1e3 to 1e6 N/m are within 1e-5 of their travel
+    constexpr double bristle_step = 0.125e-3;
     double step = p.motor.plain() && !p.dc_motor() ? plain_step : bent_step;
     if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
     if (p.two_mass) {
@@ -138,10 +151,11 @@ double longest_step(const Plant& p)
         // phase error of leapfrog (ωh)²/24 ≈ 0.3 %; a spring that hardens, where it is four times as steep
         const double steepest = p.cubic_stiffness > 0 ? 4 * p.stiffness : p.stiffness;
         const double period_part = 0.25 / std::sqrt(steepest / reduced);
-        step = std::clamp(period_part, 15e-6, 0.125e-3);
+        step = std::clamp(period_part, shortest_step, 0.125e-3);
         if (p.backlash > 0) step = std::min(step, 0.0625e-3);
+        step = std::min(step, step_over_peak(p.link, p.link_inertia));
     }
-    return step * p.step_factor;
+    return std::min(step, step_over_peak(p.motor, p.motor_inertia)) * p.step_factor;
 }
 
 int substeps(double tick, double longest)

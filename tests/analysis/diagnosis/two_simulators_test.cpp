@@ -150,3 +150,16 @@ TEST_CASE("both simulators: elements of the loop and bodies", "[gap][two-simulat
         CHECK(difference(joint) < 2e-5);
     }
 }
+
+// A LuGre joint whose encoder resolves 1e-5 of its travel has a gap where its own record is simulated less well.
+TEST_CASE("both simulators: bristles from soft to stiff, to 1e-5 of the travel", "[gap][two-simulators][slow]")
+{
+    for (const double stiffness : {1e3, 3e4, 1e6})
+        for (const double damping : {0.0, 200.0})
+            for (const double velocity : {0.005, 0.05}) {
+                Joint joint = sampled_joint();
+                joint.friction.law = LuGre{stiffness, damping, 10, 5, 8, velocity};
+                CAPTURE(stiffness, damping, velocity);
+                CHECK(difference(joint) < 1e-6);
+            }
+}

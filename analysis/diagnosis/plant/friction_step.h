@@ -47,7 +47,7 @@ struct FrictionState {
     P theta = 0;    ///< memory state
     P speed = 0;    ///< lagged speed, for a level that follows the velocity late
     P force = 0;    ///< of a whole curve that is followed late
-    P gained = 0;   ///< velocity that a body on bristles gained in its last step: predicts that in mid-step
+    P gained = 0;   ///< velocity that `friction_step` gave in the last step: predicts that in mid-step
 };
 
 /// Where a step happens and what passes through, as far as friction asks.
@@ -139,7 +139,17 @@ P remembered(const FrictionPack<P>& r, const P& theta, const P& speed, const P& 
     return after_ageing(theta, r.B, r.L, r.V_star, speed, h, slip, exponential, logarithm);
 }
 
-/// The state after sliding at this mean speed for h: exact for constant speed.
+/// The level against bodies that leave rest in this step: that of their speed in mid-step, at which a static level has
+/// gone.
+template <class P>
+P leaving_level(const FrictionPack<P>& r, const FrictionState<P>& s, const P& level, const P& direction, const P& force,
+                const P& mobility, const Surroundings<P>& at)
+{
+    return resistance(r, s, 0.5 * mobility * max(P(0.0), abs(force) - level), direction, at);
+}
+
+/// The state after sliding at this speed for h: exact for constant speed. It is half a step ahead of the velocity, as
+/// the next step asks for it in its middle.
 template <class P>
 void remember(const FrictionPack<P>& r, FrictionState<P>& s, const P& speed, const P& h)
 {
@@ -231,12 +241,16 @@ P friction_step(const FrictionPack<P>& r, FrictionState<P>& s, const P& v, const
         next = after;
         s.bristle = select(bends, step.keep * s.bristle + step.per_velocity * taken, s.bristle);
         if (!every(bends)) next = select(bends, next, SlidingStep<P>(level, slope, mobility)(v, force));
-        s.gained = next - v;
     } else {
-        const P direction = copysign(P(1.0), select(v != zero, v, force));
-        next = SlidingStep<P>(resistance(r, s, abs(v), direction, at), viscous(r, direction), mobility)(v, force);
+        const auto moving = v != zero;
+        const P direction = copysign(P(1.0), select(moving, v, force));
+        P level = resistance(r, s, max(zero, direction * (v + 0.5 * s.gained)), direction, at);
+        if (const auto leaves = ~moving & (level < abs(force)); r.has.stribeck && any(leaves))
+            level = select(leaves, leaving_level(r, s, level, direction, force, mobility, at), level);
+        next = SlidingStep<P>(level, viscous(r, direction), mobility)(v, force);
     }
-    remember(r, s, 0.5 * abs(v + next), h);
+    s.gained = next - v;
+    remember(r, s, abs(next), h);
     return next;
 }
 

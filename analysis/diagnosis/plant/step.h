@@ -78,6 +78,8 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
     const P speed = max(zero, direction * (v + 0.5 * h * s.acceleration));
     P level = resistance(r, s.motor, select(moving, speed, zero), direction, at);
     const auto held = ~moving & (abs(force) <= level);
+    if (const auto leaves = ~moving & (level < abs(force)); r.has.stribeck && any(leaves))
+        level = select(leaves, leaving_level(r, s.motor, level, direction, force, mobility, at), level);
     const P slope = 0.5 * mobility * (viscous(r, direction) + drive.drag);
     P next = (v * (1.0 - slope) + mobility * (force - direction * level)) / (1.0 + slope);
     P travelled = 0.5 * h * (v + next);
@@ -86,8 +88,9 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
         const P part = v / (v - next);
         direction = copysign(one, force);
         level = resistance(r, s.motor, zero, direction, at);
-        const auto leaves = level < abs(force);
-        const P last = select(leaves, (1.0 - part) * mobility * (force - direction * level), zero);
+        const P rest = (1.0 - part) * mobility;
+        const P sliding = r.has.stribeck ? leaving_level(r, s.motor, level, direction, force, rest, at) : level;
+        const P last = select(level < abs(force), rest * (force - direction * sliding), zero);
         travelled = select(stops, 0.5 * h * part * v + 0.5 * h * (1.0 - part) * last, travelled);
         next = select(stops, last, next);
     }
@@ -96,7 +99,7 @@ void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const 
     s.motor_position = s.motor_position + travelled;
     s.motor_velocity = next;
     s.acceleration = (next - v) * length.per_h;
-    remember(r, s.motor, abs(travelled) * length.per_h, h);
+    remember(r, s.motor, abs(next), h);
 }
 
 /// Deflection beyond the backlash, positive when the motor leads.

@@ -108,7 +108,7 @@ TEST_CASE("both simulators: laws", "[gap][two-simulators][slow]")
         joint.friction = friction;
         if (name == "gear") joint.mechanism.motion = Motion::revolute, joint.load.gravity_amplitude = 8;
         CAPTURE(name);
-        CHECK(difference(joint) < 2e-5);
+        CHECK(difference(joint) < 3e-7);
     }
 }
 
@@ -145,9 +145,15 @@ TEST_CASE("both simulators: elements of the loop and bodies", "[gap][two-simulat
     joints["bristles of the link"].frictions.link.bristle = {3e4, 200};
     joints["load on the link's friction"] = two_masses();
     joints["load on the link's friction"].frictions.link.load_coefficient = 0.2;
+    joints["Stribeck of the link"] = two_masses();
+    joints["Stribeck of the link"].frictions.link.law = Stribeck{2, 4, 1, 0.02, 2};
+    joints["memory of the link"] = two_masses();
+    joints["memory of the link"].frictions.link = with_memory(0.1, 0.3, MemoryForm::slip);
+    joints["static friction of the link"] = two_masses();
+    joints["static friction of the link"].frictions.link.law = KineticStatic{2, 3};
     for (const auto& [name, joint] : joints) {
         CAPTURE(name);
-        CHECK(difference(joint) < 2e-5);
+        CHECK(difference(joint) < 1e-6);
     }
 }
 

@@ -16,6 +16,13 @@ constexpr double many_turns = 4 * std::numbers::pi;  // two turns of a joint: mo
 constexpr double another_rate = 3;  // between a rate and what it is the rate of; a filter makes no such factor
 constexpr double long_axis = 10;    // m; more is a crane, or millimetres
 
+double largest_size(const std::vector<double>& values)
+{
+    double largest = 0;
+    for (const double v : values) largest = std::isfinite(v) ? std::max(largest, std::abs(v)) : largest;
+    return largest;
+}
+
 class Checks {
   public:
     Checks(const Record& record, const Joint& joint, bool unit_named)
@@ -69,16 +76,22 @@ class Checks {
             return;
         const bool rates = !r_.velocity.empty() && (!c.reference_velocity || !r_.reference_velocity.empty());
         if (c.k_v != 0 && !rates) return;
+        // a limit, documented or not, hides how much was asked for
+        constexpr double at_limit = 0.99;
+        const double limit = at_limit * largest_size(r_.effort_command);
+        std::size_t rows = 0;
         double together = 0, squares = 0, command = 0;
         for (std::size_t k = 0; k < r_.rows(); ++k) {
             double u = c.k_p * (r_.reference_position[k] - r_.position[k]);
             if (c.k_v != 0) u += c.k_v * ((c.reference_velocity ? r_.reference_velocity[k] : 0.0) - r_.velocity[k]);
             if (!r_.feed_forward.empty()) u += r_.feed_forward[k];
-            if (!std::isfinite(u) || !std::isfinite(r_.effort_command[k])) continue;
+            if (!std::isfinite(u) || !(std::abs(r_.effort_command[k]) < limit)) continue;
+            ++rows;
             together += u * r_.effort_command[k], squares += u * u,
                 command += r_.effort_command[k] * r_.effort_command[k];
         }
-        if (!(squares > 0) || !(command > 0)) return;
+        constexpr std::size_t few = 20;  // as many say nothing of the rest
+        if (rows < few || !(squares > 0) || !(command > 0)) return;
         const double ratio = squares / together, alike = together / std::sqrt(squares * command);
         constexpr double surely = 0.9;       // correlation; with less the gains do not say what moved
         constexpr double another_joint = 4;  // no gain of the same controller is documented as wrong as that
@@ -126,11 +139,10 @@ class Checks {
     {
         if (joint_.actuator.kind != ActuatorKind::effort || r_.effort_measured.empty()) return;
         std::vector<double> asked = r_.effort_command;
-        double largest = 0;
-        for (double& u : asked) u *= joint_.actuator.effort_gain, largest = std::max(largest, std::abs(u));
+        for (double& u : asked) u *= joint_.actuator.effort_gain;
         // a constant command varies by its rounding at most, and nothing follows that
         constexpr double constant = 1e-3;  // of its size
-        if (spread(asked) <= constant * largest) return;
+        if (spread(asked) <= constant * largest_size(asked)) return;
         constexpr double opposite = -0.5;  // a lagging or noisy effort comes to nothing, not to the opposite
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
         constexpr double another_unit = 100;  // no gain is as wrong as that

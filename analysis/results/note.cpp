@@ -57,6 +57,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::gains_to, "gains-to"},
     {Code::gains_to_steps, "gains-to-steps"},
     {Code::reference_rebuilt, "reference-rebuilt"},
+    {Code::controller_unseen, "controller-unseen"},
     {Code::undocumented_k_v, "undocumented-k-v"},
     {Code::filter_as_exponential, "filter-as-exponential"},
     {Code::within_noise, "within-noise"},

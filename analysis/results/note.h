@@ -68,6 +68,7 @@ struct Note {
         gains_to,               ///< values: per cent that is left; only gains that are further off are named
         gains_to_steps,         ///< values: per cent beyond which a gain is named, for the steps of the command
         reference_rebuilt,      ///< from the command, gains from the encoder's noise
+        controller_unseen,      ///< more than k_p and k_v, and no reference was logged
         undocumented_k_v,       ///< the command has a part that is proportional to the velocity
         filter_as_exponential,  ///< values: the filter's time constant that was found, the documented one; the
                                 ///< documented one discretised as 1 - exp(-T/tau) is the same filter

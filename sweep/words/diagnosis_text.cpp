@@ -86,6 +86,10 @@ constexpr Sentence sentences[] = {
     {Code::gains_to_steps,
      "the controller reproduces the logged command to the steps in which it is given: only gains that are off by more "
      "than {0:f} % are named"},
+    {Code::controller_unseen,
+     "no reference was logged: nothing is said of a controller that is more than k_p and k_v; the joint is judged "
+     "under "
+     "its logged command"},
     {Code::reference_rebuilt,
      "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, and the "
      "reference was rebuilt from the command"},

@@ -101,6 +101,7 @@ struct Factor {
 void audit_without_reference(std::vector<Case>& cases, double limit, Audit& result)
 {
     const Control documented = cases[0].joint.control;
+    if (!is_plain(documented)) return result.notes.push_back({Note::Code::controller_unseen});
     const bool damped = documented.k_v != 0;
     const bool filtered = damped && documented.velocity_estimate.form != EstimateForm::exact;
     double tau = documented.velocity_estimate.tau;

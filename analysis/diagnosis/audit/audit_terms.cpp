@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/audit/audit_numbers.h"
 #include "analysis/diagnosis/audit/command_terms.h"
 #include "analysis/diagnosis/audit/term_sets.h"
+#include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/joint/gains.h"
 
@@ -40,13 +41,6 @@ Changed fewest_changes(const std::vector<Case>& cases, double limit)
             (!best || f.count(documented) < best->count(documented)))
             best = &f;
     return *best;
-}
-
-bool is_plain(const Control& c)
-{
-    const auto& f = c.feed_forward;
-    return c.structure == Structure::pid && c.k_i == 0 && c.dead_zone == 0 && f.coulomb == 0 && f.acceleration == 0 &&
-           f.velocity == 1 && !f.gravity;
 }
 
 /// Whether plain gains, a filter beside them, are all that changed.

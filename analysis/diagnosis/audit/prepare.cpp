@@ -142,6 +142,7 @@ Case prepare_with_effort(const Record& record, const Joint& joint, std::vector<N
     find_reading_noise(c, record, notes);
     find_effort_noise(c, record, notes);
     if (!record.at_rest_at_start) find_start(c, notes);
+    find_integral(c);
     measure_load_error(c);
     return c;
 }

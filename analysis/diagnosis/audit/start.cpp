@@ -1,6 +1,13 @@
 #include "analysis/diagnosis/audit/start.h"
 
+#include "analysis/diagnosis/audit/after_hole.h"
+#include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/start_velocity.h"
+#include "analysis/numerics/statistics.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace stickslip::gap {
 namespace {
@@ -35,6 +42,37 @@ void find_start(Case& c, std::vector<Note>& notes)
     if (!(missed_at_start(moving) < much_better * at_rest)) return;
     c.ticks = std::move(moving.ticks);
     notes.push_back({Note::Code::starts_moving, c.ticks.name});
+}
+
+void find_integral(Case& c)
+{
+    Ticks& t = c.ticks;
+    Controller controller(c.joint);
+    if (!controller.integrates() || !t.has_reference || t.source != CommandSource::logged) return;
+    if (t.at_rest)
+        controller.restart();
+    else
+        controller.restart_moving(t.position[0], t.initial_velocity, t.step[0], 0);
+    constexpr std::size_t rows = 20;
+    std::vector<double> beyond;
+    double largest = 0;
+    AfterHole hole(t, c.joint.control);
+    const double limit = policy::below_limit * c.joint.control.effort_limit;
+    for (std::size_t k = 0; k < t.size() && beyond.size() < rows; ++k) {
+        const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
+        controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
+        controller.command(t.reference[k], t.reference_rate[k], t.added(k), t.time[k]);
+        if (hole.holds(k) || !is_set(t.command[k]) || std::abs(t.command[k]) > limit || !t.enabled[k]) continue;
+        beyond.push_back(t.command[k] - controller.wanted());
+        largest = std::max(largest, std::abs(t.command[k]));
+    }
+    if (beyond.size() < rows) return;
+    const double held = median(beyond);
+    std::vector<double> apart;
+    for (const double b : beyond) apart.push_back(std::abs(b - held));
+    constexpr double agree = 0.1, digits = 1e-6;  // of what it held; of the largest command
+    if (median(apart) > agree * std::abs(held) || std::abs(held) < digits * largest) return;
+    t.initial_integral = held / controller.integral_gain();
 }
 
 }  // namespace stickslip::gap

@@ -94,7 +94,7 @@ bool rebuild_reference(Case& c, double limit)
     Ticks& t = c.ticks;
     const Control& control = c.joint.control;
     if (t.has_reference || t.source != CommandSource::logged || t.size() < 2 || control.k_p == 0 ||
-        control.kind != ControlKind::position || t.unseen_between())
+        control.kind != ControlKind::position || !is_plain(control) || t.unseen_between())
         return false;
     const auto m = static_cast<std::size_t>(t.ticks_per_row);
     const Seen seen = see(c, limit);

@@ -14,6 +14,14 @@ inline double reading_per_link(const Joint& joint)
     return geared ? joint.mechanism.transmission.ratio : 1;
 }
 
+/// Nothing but k_p e + k_v ė: no integral, cascade, dead zone or push of its own.
+inline bool is_plain(const Control& c)
+{
+    const auto& f = c.feed_forward;
+    return c.structure == Structure::pid && c.k_i == 0 && c.dead_zone == 0 && c.dither.amplitude == 0 &&
+           f.coulomb == 0 && f.acceleration == 0 && f.velocity == 1 && !f.gravity;
+}
+
 class Controller {
   public:
     /// `load` and `gear` matter to gravity that is fed forward alone.
@@ -54,6 +62,7 @@ class Controller {
     double velocity() const { return loop_->state.velocity; }
     double integral() const { return loop_->integral(); }
     bool integrates() const { return loop_->integrates(); }
+    double integral_gain() const { return loop_->integral_gain(); }
     /// Once a tick, at this time of the record. `added`: what the record says was added to the controller's own, a
     /// feed-forward.
     double command(double reference, double reference_rate, double added, double time)

@@ -159,7 +159,8 @@ FittedSet LadderSearch::with_an_exchange(FittedSet set)
     const auto others = climber_->exchanged(set);
     const auto better = std::ranges::find_if(
         others, [&](const auto& o) { return o.plausible && !o.correction && o.misfit < set.misfit; });
-    return better == others.end() ? set : in_best_forms(settled(*better));
+    // beside the right cause another one of the set may have nothing left to do
+    return better == others.end() ? set : without_idle(in_best_forms(settled(*better)));
 }
 
 FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs,

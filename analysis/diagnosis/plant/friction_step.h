@@ -162,16 +162,31 @@ void remember(const FrictionPack<P>& r, FrictionState<P>& s, const P& speed, con
     if (r.has.remembers) s.theta = remembered(r, s.theta, speed, h);
 }
 
-/// The state of bodies that have slid at these speeds for long; at rest it is that of sliding at V*, which is what the
-/// law's level means.
+/// The state of bodies that have slid at these velocities for long; at rest it is that of sliding at V*, which is what
+/// the law's level means.
 template <class P>
-FrictionState<P> steady_state(const FrictionPack<P>& r, const P& speed)
+FrictionState<P> steady_state(const FrictionPack<P>& r, const P& v)
 {
     FrictionState<P> s;
+    const P speed = abs(v), zero(0.0);
     s.speed = speed;
     s.force = steady(r, speed);
-    if (r.has.remembers) s.theta = select(P(0.0) < speed, -r.B * logarithm_of(speed, r), P(0.0));
+    if (r.has.remembers) s.theta = select(zero < speed, -r.B * logarithm_of(speed, r), zero);
+    if (r.has.bristles) {
+        const P direction = copysign(P(1.0), v), level = resistance(r, s, speed, direction, {zero, zero});
+        s.bristle =
+            select((zero < speed) & (zero < r.bristle_stiffness), direction * level / r.bristle_stiffness, zero);
+    }
     return s;
+}
+
+/// What sliding takes at this velocity in this state, transmitted effort and ripple apart; nothing at rest.
+template <class P>
+P sliding_force(const FrictionPack<P>& r, const FrictionState<P>& s, const P& v)
+{
+    const P zero(0.0), direction = copysign(P(1.0), v), speed = abs(v);
+    const P force = direction * (resistance(r, s, speed, direction, {zero, zero}) + viscous(r, direction) * speed);
+    return select(zero < speed, force, zero);
 }
 
 /// One step of bodies that slide against a given level of friction: everything but velocity and force is divided out,

@@ -276,16 +276,23 @@ void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
     const double q = (l.ticks->position[l.tick] + beyond - p.sensor.position_offset) / p.sensor.position_scale;
     const double v = velocity / p.sensor.position_scale;
     State<P> fresh;
-    fresh.motor = steady_state(joints_.motor, P(std::abs(v)));
-    fresh.link = steady_state(joints_.link, P(std::abs(v)));
+    const double per_link = kind().two_mass && !p.feedback_link ? 1 / p.ratio : 1;
+    const double per_motor = kind().two_mass && p.feedback_link ? p.ratio : 1;
+    fresh.motor = steady_state(joints_.motor, P(per_motor * v));
+    fresh.link = steady_state(joints_.link, P(per_link * v));
     fresh.motor_position = fresh.followed = q;
     fresh.motor_velocity = v;
     if (kind().two_mass) {
-        const double link = p.feedback_link ? q : q / p.ratio;
-        const double load = load_force(joints_.load, P(link), P(l.ticks->time[l.tick]))[lane];
+        const double link = per_link * q;
+        const double acceleration =
+            l.tick == 0 ? per_link * l.ticks->initial_acceleration / p.sensor.position_scale : 0;
+        // what the spring does not give the link
+        const double load = load_force(joints_.load, P(link), P(l.ticks->time[l.tick]))[lane] -
+                            sliding_force(joints_.link, fresh.link, P(per_link * v))[lane] -
+                            joints_.link_inertia[lane] * acceleration;
         // a load that the link's own friction holds leaves open where in its backlash the link rests: the middle is
         // nearest
-        const bool held = p.backlash > 0 && std::abs(load) <= p.link.coulomb;
+        const bool held = v == 0 && p.backlash > 0 && std::abs(load) <= p.link.coulomb;
         const double stretch = held || rest == Rest::level ? 0 : Spring{p.stiffness, p.cubic_stiffness}.stretch(-load);
         const double half = stretch == 0 ? 0 : std::copysign(0.5 * p.backlash, stretch);
         fresh.motor_position = p.feedback_link ? p.ratio * (q + stretch + half) : q;

@@ -14,6 +14,7 @@ Ticks part_of(const Ticks& whole, std::size_t from, std::size_t to)
     if (from == 0) {
         t.at_rest = whole.at_rest, t.initial_velocity = whole.initial_velocity;
         t.initial_velocity_error = whole.initial_velocity_error;
+        t.initial_acceleration = whole.initial_acceleration;
         t.initial_integral = whole.initial_integral;
     }
     const auto begin = static_cast<std::ptrdiff_t>(from);

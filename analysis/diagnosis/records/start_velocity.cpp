@@ -65,7 +65,7 @@ StartVelocity cubic_through(const Rows& rows, std::size_t count, double noise)
     }
     const Eigen::Matrix4d normal = powers.transpose() * powers;
     const Eigen::Vector4d fitted = normal.ldlt().solve(powers.transpose() * position);
-    return {fitted[1] / length, noise * std::sqrt(normal.inverse()(1, 1)) / length};
+    return {fitted[1] / length, noise * std::sqrt(normal.inverse()(1, 1)) / length, 2 * fitted[2] / (length * length)};
 }
 
 }  // namespace
@@ -93,6 +93,7 @@ void start_moving(Ticks& ticks)
     const auto start = velocity_at_start(ticks);
     ticks.at_rest = false;
     ticks.initial_velocity = start.value, ticks.initial_velocity_error = start.error;
+    ticks.initial_acceleration = start.acceleration;
 }
 
 }  // namespace stickslip::gap

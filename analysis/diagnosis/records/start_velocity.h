@@ -5,8 +5,9 @@
 namespace stickslip::gap {
 
 struct StartVelocity {
-    double value = 0;  ///< m/s | rad/s, of the reading
-    double error = 0;  ///< its standard error, from the noise of the readings
+    double value = 0;         ///< m/s | rad/s, of the reading
+    double error = 0;         ///< its standard error, from the noise of the readings
+    double acceleration = 0;  ///< m/s² | rad/s²
 };
 
 /// At the first row, from the readings behind it. A line through a few of them would be their mean velocity, which in a

@@ -53,6 +53,7 @@ struct Ticks {
     bool at_rest = true;
     double noise_kept = 0;  ///< part of a reading's noise that stays until the next tick, as behind a filter
     double initial_velocity = 0, initial_velocity_error = 0;  ///< standard error
+    double initial_acceleration = 0;                          ///< stretches the spring in front of a link that moves
     double initial_integral = 0;  ///< of the controller's error: an excerpt begins amid a record
 
     double added(std::size_t k) const { return feed_forward.empty() ? 0 : feed_forward[k]; }  ///< to the command

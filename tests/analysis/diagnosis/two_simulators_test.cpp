@@ -2,6 +2,7 @@
 // make one and the same record, of every law and element that the diagnosis knows.
 #include "analysis/diagnosis/plant/record_form.h"
 #include "analysis/diagnosis/plant/simulator.h"
+#include "analysis/diagnosis/records/start_velocity.h"
 #include "tests/analysis/simulation/sampled/sampled_joint.h"
 
 #include <catch2/catch.hpp>
@@ -168,4 +169,33 @@ TEST_CASE("both simulators: bristles from soft to stiff, to 1e-5 of the travel",
                 CAPTURE(stiffness, damping, velocity);
                 CHECK(difference(joint) < 1e-6);
             }
+}
+
+// A spring that a moving link has stretched, and a bristle that has bent, are there from the first row on.
+TEST_CASE("both simulators: records that begin in motion", "[gap][two-simulators]")
+{
+    Joint bristles = sampled_joint();
+    bristles.friction.law = LuGre{3e3, 50, 10, 5, 7, 0.02};
+    for (Joint joint : {two_masses(), two_masses(0, 5), bristles}) {
+        joint.control.delay = 0;
+        const auto exact = record_along(joint, lively(3, 1e-3), 0);
+        REQUIRE(exact.reason == Reason::none);
+        Record record;
+        const std::size_t first = 200;
+        const auto rest_of = [&](const std::vector<double>& all) {
+            return std::vector<double>(all.begin() + first, all.end());
+        };
+        record.time = rest_of(exact.time), record.position = rest_of(exact.position);
+        record.reference_position = rest_of(exact.reference_position);
+        record.reference_velocity = rest_of(exact.reference_velocity);
+        const Joint written = record_form(joint);
+        Ticks ticks = on_clock(record, written);
+        start_moving(ticks);
+        const auto fast = simulate_closed_loop(flatten(written), ticks, 0);
+        double worst = 0;
+        for (std::size_t k = 0; k < record.time.size(); ++k)
+            worst = std::max(worst, std::abs(fast.position[k] - record.position[k]));
+        CAPTURE(joint.mechanism.transmission.ratio);
+        CHECK(worst < 1e-5);
+    }
 }

@@ -1,6 +1,6 @@
-// Inertias that a robot's description has and no body can have, in plain words.
+// What a robot's description has and no robot can, in plain words.
 #pragma once
-#include "sweep/study/import/robot.h"
+#include "sweep/study/import/import.h"
 
 #include <string>
 
@@ -8,5 +8,8 @@ namespace stickslip {
 
 /// Sentence.
 std::string impossible_inertia_text(const ImpossibleInertia& of);
+
+/// Sentence without full stop: joint, where it stands, its limits.
+std::string beyond_limits_text(const PoseBeyondLimits& of);
 
 }  // namespace stickslip

@@ -17,8 +17,8 @@ std::string beyond_limits_text(const PoseBeyondLimits& of)
 {
     const auto& j = of.joint;
     const auto unit = j.kind == RobotJointKind::hinge ? "rad" : "m";
-    return fmt::format("joint \"{}\" stands at {:.6g} {}, beyond its limits {:.6g} to {:.6g} {} ({})", j.name,
-                       of.position, unit, j.low, j.high, unit, j.place);
+    return fmt::format("joint \"{}\" is at {:.6g} {}, outside its limits {:.6g} to {:.6g} {} ({})", j.name, of.position,
+                       unit, j.low, j.high, unit, j.place);
 }
 
 }  // namespace stickslip

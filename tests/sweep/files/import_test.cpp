@@ -183,7 +183,7 @@ TEST_CASE("import: a pose beyond a joint's limits is said, with the limits")
     const auto beyond = at("2.5");
     REQUIRE(beyond.beyond.size() == 1);
     CHECK_THAT(import_text(beyond, "arm.urdf", "at.toml"),
-               Catch::Contains("joint \"shoulder\" stands at 2.5 rad, beyond its limits -2 to 2 rad (") &&
+               Catch::Contains("joint \"shoulder\" is at 2.5 rad, outside its limits -2 to 2 rad (") &&
                    Catch::Contains("arm.urdf:9)"));
     for (const char* within : {"2", "-1", "2.00005"}) CHECK(at(within).beyond.empty());
     CHECK(at("-2.1").beyond.size() == 1);

@@ -193,5 +193,6 @@ class Joint:
     def _repr_html_(self) -> str:
         rows = "".join(f"<tr><td style='text-align:left'>{escape(k.path)}</td><td>{escape(str(k.value))}</td>"
                        f"<td>{'' if k.unit == '1' else escape(k.unit)}</td><td style='text-align:left'>{escape(k.help)}</td></tr>"
-                       for k in self.keys() if k.value is not None and str(k.value) != k.default)
+                       for k in self.keys()
+                       if k.value is not None and k.value != _typed({"value": k.default, "allowed": k.allowed}))
         return f"<table><tr><th>key</th><th>value</th><th>unit</th><th>meaning</th></tr>{rows}</table>"

@@ -243,5 +243,6 @@ TEST_CASE("report says what a folder holds that is no sweep's", "[program]")
     CHECK_THAT(said("d"), Contains("holds no finished sweep (results.nc); make one with: stickslip sweep SPEC -o "));
     std::filesystem::create_directory(folder / "d/journal");
     CHECK_THAT(said("d"), Contains("holds a sweep that is not finished"));
+    CHECK_THAT(said("d/diagnosis.json"), Contains("d/diagnosis.json: is a file, expected the folder of a sweep"));
     CHECK_THAT(said("nowhere"), Contains("nowhere: there is no such folder"));
 }

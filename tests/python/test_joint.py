@@ -56,7 +56,8 @@ def test_files(tmp_path, examples):
     joint = Joint.from_file(examples / "02-ball-screw" / "joint-with-memory.toml")
     joint.save(tmp_path / "joint.toml")
     assert Joint.from_file(tmp_path / "joint.toml") == joint
-    assert "inertia" in joint._repr_html_()
+    shown = Joint.example()._repr_html_()
+    assert "joint.inertia" in shown and "load.constant" not in shown and "control.reference_velocity" not in shown  # at their defaults
     with pytest.raises(StickslipError, match="no such file"):
         Joint.from_file(tmp_path / "other.toml")
 

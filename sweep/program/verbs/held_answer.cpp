@@ -56,6 +56,7 @@ std::string of_answer(const fs::path& folder, const fs::path& file, const Stored
 std::string instead_of_a_sweep(const fs::path& folder)
 {
     std::error_code failed;
+    if (fs::is_regular_file(folder, failed)) return folder.string() + ": is a file, expected the folder of a sweep";
     if (!fs::is_directory(folder, failed)) return folder.string() + ": there is no such folder";
     if (fs::exists(folder / run_files::journals, failed))
         return fmt::format(

@@ -4,7 +4,7 @@ Run: docs.py write|check PROGRAM, docs.py site PROGRAM FOLDER
 
 reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
 docs/schema. method.md: every threshold of analysis/diagnosis/policy/policy.h with the comment that gives its reason. site: a copy of docs/ in FOLDER/docs with the
-pictures that the program draws for it, and FOLDER/site where mkdocs is installed.
+pictures that the program draws for it and the notebooks as pages, and FOLDER/site where mkdocs is installed.
 """
 import json
 import os
@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 import library
+import notebooks
 
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
@@ -37,7 +38,7 @@ JSON_HEAD = """
 
 A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`, including
 `sweep-answer.schema.json` for `answer.json` (the input of `stickslip report`) and `drawn-charts.schema.json` for `charts/drawn.json`. Every answer has a
-`format` with a version, except `answers.json`, whose names are those of the cases.
+`format` with a version.
 """
 METHOD = """# Thresholds of the diagnosis
 
@@ -301,6 +302,7 @@ def site(program, folder):
         text = page.read_text(encoding="utf-8")
         page.write_text(re.sub(r"\[([^\]]+)\]\((?:\.\./)+(?:analysis|sweep|render|tests)/[^)]*\)", r"\1", text), encoding="utf-8")
     draw(program, copy / "pictures")
+    notebooks.write_pages(program, copy)
     settings = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
     settings = settings.replace("site_dir: build/site", "site_dir: site")
     (folder / "mkdocs.yml").write_text(settings, encoding="utf-8")

@@ -27,11 +27,11 @@ def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *
     """The records of the joints of one log, each with the columns `load_effort`, `load_error` (N·m or N) and
     `inertia` (kg·m² or kg). `load_error` is an example of what `load_effort` is wrong by, from noise and smoothing: it counts as noise.
 
-    `records` has a data frame for each joint that moves, under its name in `robot`: a URDF or MJCF, whose dynamics the
-    program computes; joints without a record stand still at the coordinates `at` (rad or m), or at their zero.
+    `records` has a data frame for each joint that moves (columns time [s] and position [rad or m], the same rows in all), under its
+    name in `robot`: a URDF or MJCF, whose dynamics the program computes; joints without a record stand still at the coordinates `at` (rad or m), or at their zero.
 
-    Or `inverse_dynamics(q, dq, ddq)` gives the efforts that hold the frictionless arm on that motion, in the order of
-    `records`: with Pinocchio `lambda q, v, a: pinocchio.rnea(model, data, q, v, a)`; with MuJoCo a function that sets
+    Or `inverse_dynamics(q, dq, ddq)` gives the efforts [N·m or N] that hold the frictionless arm on that motion, arrays of one number
+    for each joint in the order of `records`: with Pinocchio `lambda q, v, a: pinocchio.rnea(model, data, q, v, a)`; with MuJoCo a function that sets
     data.qpos, data.qvel and data.qacc, calls mujoco.mj_inverse(model, data) and returns data.qfrc_inverse + data.qfrc_passive
     (armature and friction loss of the model set to zero first).
 
@@ -41,13 +41,19 @@ def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *
     load_effort: the joint's own load.gravity_amplitude has to be zero then. For a joint with backlash or a soft transmission the
     link's motion counts; where the log has only the motor's, loads are as wrong as that difference.
 
+    Raises StickslipError for records that do not fit each other or the robot, TypeError unless exactly one of `robot` and
+    `inverse_dynamics` is given.
+
     >>> records = {name: stickslip.read_log("run.mcap", joint=name) for name in ("shoulder", "elbow")}
     >>> records = stickslip.with_arm_load(records, "arm.urdf", armature={"elbow": 0.12})
     """
     from .records import as_frame
 
     if (robot is None) == (inverse_dynamics is None):
-        raise TypeError("expected a robot's description or inverse_dynamics, and not both")
+        given = "neither robot nor inverse_dynamics" if robot is None else "both robot and inverse_dynamics"
+        raise TypeError(f"got {given}, expected one of them: a robot's description, or a function that gives efforts")
+    if not isinstance(records, Mapping):
+        raise TypeError(f"records: got {type(records).__name__}, expected a dict of one data frame for each joint, {{\"elbow\": frame}}")
     frames = {name: as_frame(name, record) for name, record in records.items()}
     if not frames:
         raise StickslipError("records: expected one data frame for each joint of the arm")

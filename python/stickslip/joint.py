@@ -13,7 +13,15 @@ from . import program, toml_text
 
 @dataclass(frozen=True)
 class Key:
-    """One key of a joint: `unit` is "1" for plain numbers, `default` "required" where the joint must have it."""
+    """One key of a joint, as `Joint.keys()` lists it.
+
+    path     as in the file: "control.k_p"
+    value    number in `unit`, word, true or false, list of numbers (friction.B of several states); None: not stated
+    unit     SI, of this joint's motion: "N·m/rad" of a revolute joint where a prismatic one has "N/m"; "1" for plain numbers and words
+    default  as text, in `unit`; "required" where the joint must state it, "-" where there is none
+    allowed  permitted values as text: "at least 0", "true, false", …
+    help     meaning
+    """
 
     path: str
     value: float | str | bool | list[float] | None
@@ -44,17 +52,50 @@ class Joint:
 
     A path is that of the file: "control.k_p", "friction.motor.c0", "friction.B.1". Values are SI numbers, text with a
     unit, words or lists. What does not fit raises StickslipError and leaves the joint as it was.
+
+    The keys that most joints have, with units of a prismatic and of a revolute joint (`keys()` has all, docs/reference.md explains them):
+
+    joint.inertia                     kg       kg·m²      one mass
+    joint.motor_inertia               kg       kg·m²      two masses; at the motor's shaft
+    joint.link_inertia                kg       kg·m²      two masses
+    joint.transmission.stiffness      N/m      N·m/rad    two masses; at the joint's side of the gear, as damping and backlash
+    joint.transmission.damping        N·s/m    N·m·s/rad
+    joint.transmission.backlash       m        rad
+    joint.transmission.ratio          1        1          motor motion per joint motion
+    load.constant                     N        N·m
+    load.gravity_amplitude            N        N·m        m g l of a pendulum
+    load.gravity_phase                rad      rad
+    control.k_p                       N/m      N·m/rad    drive signal per position error
+    control.k_v                       N·s/m    N·m·s/rad  drive signal per velocity error
+    control.k_i                       N/(m·s)  N·m/(rad·s)
+    control.V0                        m/s      rad/s      commanded velocity
+    control.period                    s        s          of a sampled loop
+    control.delay                     s        s          dead time behind the command
+    control.effort_limit              N        N·m
+    actuator.effort_gain              N        N·m        per unit of the drive signal
+    actuator.lag                      s        s
+    sensor.encoder_quantum            m        rad
+    sensor.position_noise             m        rad        standard deviation
+    friction.law                      1        1          its numbers, here of coulomb-viscous; of two masses friction.motor, friction.link
+    friction.coulomb                  N        N·m
+    friction.viscous                  N·s/m    N·m·s/rad
     """
 
     def __init__(self, text: str, folder: str | Path | None = None):
-        """From TOML text; files that it names (a kernel table) are looked up from `folder`."""
+        """From the TOML text of a joint file; files that it names (a kernel table) are looked up from `folder`.
+
+        Raises StickslipError, with line, what it got and what it expected, for a text that is no complete joint.
+        """
+        if not isinstance(text, str):
+            raise TypeError(f"text: got {type(text).__name__}, expected the TOML text of a joint; Joint.from_dict takes a dict, "
+                            "Joint.from_file a path")
         self._folder = Path(folder) if folder else None
         self._text = self._normal(text, {})
         self._keys: list[Key] | None = None
 
     @classmethod
     def from_file(cls, file: str | Path) -> Joint:
-        """Reads joint.toml, or the design point of a sweep's spec."""
+        """Reads joint.toml, or the design point of a sweep's spec. Raises StickslipError with file, line, got and expected."""
         path = Path(file)
         if not path.exists():
             raise program.StickslipError(f"{path}: there is no such file")
@@ -63,12 +104,21 @@ class Joint:
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any]) -> Joint:
-        """{"joint": {"inertia": 1.0, …}, "control": {…}, "friction": {…}}, as the file has it."""
+        """{"joint": {"inertia": 1.0, …}, "control": {…}, "friction": {…}}: the tables of the file, numbers in SI or text with a unit.
+
+        Raises StickslipError for what is no complete joint, TypeError for a value that TOML has not.
+        """
+        if not isinstance(tables, Mapping):
+            raise TypeError(f"tables: got {type(tables).__name__}, expected a dict such as {{\"joint\": {{\"inertia\": 1.0}}, …}}")
         return cls(toml_text.dumps(tables))
 
     @classmethod
     def example(cls, model: str = "single-mass", law: str = "rate-and-state", motion: str = "prismatic") -> Joint:
-        """A joint to begin with, as `stickslip new joint` writes it."""
+        """A joint to begin with, as `stickslip new joint` writes it.
+
+        `model` is single-mass, two-mass, three-mass or lever; `law` one of `stickslip list laws`; `motion` prismatic (m, N, kg)
+        or revolute (rad, N·m, kg·m²). Raises StickslipError for another word, with those that it takes.
+        """
         return cls(program.run(["new", "joint", "--model", model, "--law", law, "--motion", motion, "--plain"]).stdout)
 
     def to_toml(self) -> str:
@@ -76,6 +126,7 @@ class Joint:
         return self._text
 
     def save(self, file: str | Path) -> None:
+        """Writes `to_toml()` to a file. Raises OSError where it cannot be written."""
         Path(file).write_text(self._text, encoding="utf-8")
 
     def keys(self) -> list[Key]:
@@ -87,16 +138,21 @@ class Joint:
         return list(self._keys)
 
     def __getitem__(self, path: str) -> float | str | bool | list[float] | None:
+        """The value of a key, a number in the unit that `keys()` lists (SI); None: not stated. Raises KeyError for an unknown key."""
         for key in self.keys():
             if key.path == path:
                 return key.value
         raise KeyError(f"{path}: there is no such key; keys are {', '.join(k.path for k in self.keys())}")
 
     def __setitem__(self, path: str, value: Any) -> None:
+        """Sets a key to an SI number, text with a unit ("10 deg/s"), a word or a list. Raises StickslipError for what does not fit."""
         self._text, self._keys = self._normal(self._text, {path: value}), None
 
     def changed(self, settings: Mapping[str, Any] | None = None, **by_name: Any) -> Joint:
-        """A copy with some keys changed together: joint.changed({"control.k_p": 2e4, "control.k_v": 30})."""
+        """A copy with some keys changed together: joint.changed({"control.k_p": 2e4, "control.k_v": 30}), in N/m and N·s/m (SI).
+
+        Raises StickslipError for what does not fit.
+        """
         other = object.__new__(Joint)
         other._folder, other._keys = self._folder, None
         other._text = self._normal(self._text, {**(settings or {}), **by_name})
@@ -137,5 +193,6 @@ class Joint:
     def _repr_html_(self) -> str:
         rows = "".join(f"<tr><td style='text-align:left'>{escape(k.path)}</td><td>{escape(str(k.value))}</td>"
                        f"<td>{'' if k.unit == '1' else escape(k.unit)}</td><td style='text-align:left'>{escape(k.help)}</td></tr>"
-                       for k in self.keys() if k.value is not None and str(k.value) != k.default)
+                       for k in self.keys()
+                       if k.value is not None and k.value != _typed({"value": k.default, "allowed": k.allowed}))
         return f"<table><tr><th>key</th><th>value</th><th>unit</th><th>meaning</th></tr>{rows}</table>"

@@ -90,7 +90,8 @@ def _draw_theories(ax: "Axes", x: Any, y: Any, growth: Any, simple: Any) -> None
 def plot_map(dataset: "xarray.Dataset", x: str, y: str, variable: str = "spectral_abscissa", ax: "Axes | None" = None, **at: float) -> "Axes":
     """Two axes of a sweep: the growth of disturbances, blue where they decay, both theories' boundaries, and hatched where they
     disagree; any other `variable` alone. Other axes stand at the nearest value to `at`, else in the middle:
-    plot_map(ds, "control.k_p", "control.V0", **{"control.k_v": 30})."""
+    plot_map(ds, "control.k_p", "control.V0", **{"control.k_v": 30}), in the units of the dataset. Draws into `ax` or new axes, and returns
+    them. Raises ValueError for an axis or a variable that the sweep has not, with those that it has."""
     import numpy
 
     ax = _axes(ax)
@@ -125,7 +126,7 @@ def plot_map(dataset: "xarray.Dataset", x: str, y: str, variable: str = "spectra
 
 
 def plot_motion(frame: "pandas.DataFrame", y: str = "velocity", ax: "Axes | None" = None) -> "Axes":
-    """A column of `simulate` in time."""
+    """A column of `simulate` over time [s], in its unit. Raises ValueError for a column that the motion has not."""
     ax = _axes(ax)
     units = frame.attrs.get("units", {})
     if y not in frame:
@@ -136,7 +137,8 @@ def plot_motion(frame: "pandas.DataFrame", y: str = "velocity", ax: "Axes | None
 
 
 def plot_boundary(answer: Any, ax: "Axes | None" = None) -> "Axes":
-    """The curves of `boundary(…, over=[x, y])`, each kind as the report draws it."""
+    """The curves of `boundary(…, over=[x, y])` in the units of both axes, each kind as the report draws it. Raises ValueError where the
+    answer has no curves."""
     ax = _axes(ax)
     curves = answer.get("curves", [])
     if not curves:
@@ -157,7 +159,7 @@ def plot_boundary(answer: Any, ax: "Axes | None" = None) -> "Axes":
 
 
 def plot_effects(answer: Any, ax: "Axes | None" = None) -> "Axes":
-    """Causes of a gap by their probability."""
+    """Causes of a gap by their probability, from the answer of `diagnose`. Raises KeyError for another answer."""
     ax = _axes(ax)
     effects = answer["effects"][::-1]
     ax.barh([" + ".join(e["names"]) for e in effects], [e["probability"] for e in effects], color=MOTION)

@@ -24,7 +24,8 @@ def sweep_poses(robot: str | Path, name: str, over: Mapping[str, Sequence[float]
     `over` has the coordinates (rad or m) of one or several joints of the robot: the axes of the dataset; joints in neither `over` nor
     `at` stand at their zero. `joint` is the joint file: law of friction, gains and all else, whose inertia (of several masses: the link's)
     and gravity are those of the pose. `armature` (kg·m² or kg) is a rotor behind its gear that the description lacks; of several masses
-    the joint file has the motor's. plot_map draws the dataset.
+    the joint file has the motor's. plot_map draws the dataset. Variables have one value for each pose: inertia [kg·m² or kg],
+    gravity_effort [N·m or N], spectral_abscissa [1/s], k_cr, verdicts. Raises StickslipError for joints or coordinates that the robot has not.
 
     >>> maps = stickslip.sweep_poses("arm.urdf", "shoulder", {"elbow": numpy.linspace(0, 3, 16), "wrist": numpy.linspace(0, 2, 9)}, joint)
     >>> stickslip.plot_map(maps, "elbow", "wrist")

@@ -27,7 +27,7 @@ class Interrupted(StickslipError):
 
 
 def executable() -> str:
-    """Path of the program: STICKSLIP_PROGRAM, the one of this wheel, or `stickslip` on the PATH."""
+    """Path of the program: STICKSLIP_PROGRAM, the one of this wheel, or `stickslip` on the PATH. Raises StickslipError where there is none."""
     asked = os.environ.get("STICKSLIP_PROGRAM")
     own = Path(__file__).parent / "bin" / "stickslip"
     found = asked or (str(own) if own.exists() else shutil.which("stickslip"))

@@ -153,7 +153,7 @@ std::string wave_numbers(const std::string& effect, Joint before, Joint after)
     for (const auto& p : parameters(after)) {
         const auto at = p.path.find(wave->second);
         const double* was = find_parameter(before, p.path);
-        if (at == std::string::npos || (was && *was == *p.value) || p.path.ends_with("phase")) continue;
+        if (at == std::string::npos || (was && *was == *p.value) || p.quantity == Quantity::angle) continue;
         std::string name = p.path.substr(at + wave->second.size());
         std::ranges::replace(name, '_', ' ');  // of the second harmonic
         text += (text.empty() ? "" : ", ") + name + " " + with_unit(*p.value, p.quantity, units_of(after), 4);

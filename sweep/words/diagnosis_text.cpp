@@ -1,4 +1,4 @@
-// In one file: the sentence of every code that a diagnosis tells, as one table, and what its places are filled with.
+// In one file: the sentence of every code of a diagnosis, as one table, and what its places are filled with.
 #include "sweep/words/diagnosis_text.h"
 
 #include "analysis/diagnosis/policy/policy.h"
@@ -58,7 +58,7 @@ constexpr Sentence sentences[] = {
     {Code::rebuilt_ticks, "logged at every second tick; the ticks between were rebuilt from the velocity"},
     {Code::slow_log, "logged slower than the loop; readings between rows are interpolated"},
     {Code::scattered_stamps, "the time stamps scatter about the documented period; evenly spaced ticks are used"},
-    {Code::starts_moving, "starts in motion; at_rest_at_start under [record] says otherwise"},
+    {Code::starts_moving, "starts in motion; at_rest_at_start under [record] overrides this"},
     {Code::straight_commands, "commands go straight from row to row here, not held: the loop is continuous"},
     {Code::noisier_than_documented,
      "the readings are noisier than documented; the noise floor is estimated from third differences"},
@@ -129,8 +129,9 @@ constexpr Sentence sentences[] = {
      "{names} comes nearest, but {force} explains the records clearly better, and has the shape of no effect of the "
      "catalogue"},
     {Code::force_beside_numbers,
-     "parameters of the joint file are off, but {force} takes {share0} of the gap beside their correction, and has the "
-     "shape of no effect of the catalogue"},
+     "parameters of the joint file are off, but {force} takes {share0} of the gap in addition to their correction, and "
+     "has "
+     "the shape of no effect of the catalogue"},
     {Code::force_in_the_rest,
      "{names} comes nearest, but a force that depends on the {signal} alone, in the shape of no effect of the "
      "catalogue, explains what it leaves"},

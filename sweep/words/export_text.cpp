@@ -12,18 +12,18 @@ std::string delay_text(const ExportAnswer& answer)
     switch (answer.to) {
         case Simulator::mjcf:
             return steps +
-                   "; delay= of an actuator holds back the target, not the feedback inside position and velocity "
+                   "; delay= of an actuator delays the target, not the feedback inside position and velocity "
                    "servos: "
-                   "close the loop outside and use the <motor> in the comment, whose delay holds back the effort";
+                   "close the loop outside and use the <motor> in the comment, whose delay acts on the effort";
         case Simulator::isaaclab:
             return steps +
-                   "; DelayedPDActuatorCfg holds back the target by that, the feedback is not delayed: close the loop "
+                   "; DelayedPDActuatorCfg delays the target by that, the feedback is not delayed: close the loop "
                    "in "
                    "your own actuator class for the dead time of the joint file";
         case Simulator::ros2_control:
             return "dead time belongs to the hardware, not to the controller's parameters";
         default:
-            return steps + "; hold back the command by that in your own controller";
+            return steps + "; delay the command by that in your own controller";
     }
 }
 

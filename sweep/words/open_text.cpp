@@ -25,7 +25,7 @@ std::string contradicted_text(const std::vector<std::string>& terms, bool grows)
 {
     return std::string(grows ? "Stick-slip: small disturbances grow" : "Smooth sliding: small disturbances decay") +
            " in the simulation of this joint. The linear theory, which has no term for " +
-           fmt::format("{}", fmt::join(terms, ", ")) + ", says otherwise:";
+           fmt::format("{}", fmt::join(terms, ", ")) + ", gives the opposite:";
 }
 
 }  // namespace stickslip

@@ -52,7 +52,7 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::law_without_motion:
             return "this friction law is not simulated at rest";
         case SetPointReason::friction_term:
-            return "friction has a term beside its law (bristle, memory, load, gear, ripple, drift or viscous "
+            return "friction has a term in addition to its law (bristle, memory, load, gear, ripple, drift or viscous "
                    "asymmetry) "
                    "that is not simulated at rest";
         case SetPointReason::loaded:

@@ -9,7 +9,6 @@
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/experiment_text.h"
 #include "sweep/words/export_text.h"
-#include "sweep/words/inertia_text.h"
 #include "sweep/words/integral_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/margins_text.h"
@@ -17,6 +16,7 @@
 #include "sweep/words/neighbour_text.h"
 #include "sweep/words/open_text.h"
 #include "sweep/words/reason_text.h"
+#include "sweep/words/robot_description_text.h"
 #include "sweep/words/robot_text.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/set_point_text.h"
@@ -55,6 +55,11 @@ std::string cause_text(const Cause&, const Joint&, const Joint&)
 std::string impossible_inertia_text(const ImpossibleInertia&)
 {
     return "#impossible-inertia";
+}
+
+std::string beyond_limits_text(const PoseBeyondLimits&)
+{
+    return "#beyond-limits";
 }
 
 std::string integral_text(const IntegralCost&, Units)

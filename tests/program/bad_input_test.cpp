@@ -108,7 +108,7 @@ TEST_CASE("a wrong command line is told what is allowed and the nearest name", "
         {"simulate a.toml --duration -1", "--duration: got \"-1\", expected a number above 0\n"},
         {"simulate a.toml --force sin", "expected impulse, step, sine, noise or a file; did you mean sine?"},
         {"report a b c", "DIR: got 3, expected at most 2"},
-        {"report /dev/null/out", "/dev/null/out: holds no finished sweep"},
+        {"report /dev/null/out", "/dev/null/out: there is no such folder"},
     };
     for (const auto& wrong : cases) {
         const auto run = stickslip(wrong.arguments);
@@ -197,9 +197,9 @@ TEST_CASE("what stands wrong in a file is said in the words of its writer", "[pr
     };
     CHECK_THAT(says("k_v = 10.0", "k_v = \"fast\""),
                Contains("control.k_v: \"fast\" is not a number with a unit such as N·s/m"));
-    CHECK_THAT(says("k_v = 10.0", "k_v = 10.0\nk_v = 11.0"), Contains("spec.toml:8:") && Contains("k_v stands twice"));
-    CHECK_THAT(says("[friction]", "[control]\n[friction]"), Contains("[control] stands twice"));
-    CHECK_THAT(says("V0 = 1e-3", "V0 = 1 mm/s"), Contains("a number with a unit stands in quotes"));
+    CHECK_THAT(says("k_v = 10.0", "k_v = 10.0\nk_v = 11.0"), Contains("spec.toml:8:") && Contains("k_v appears twice"));
+    CHECK_THAT(says("[friction]", "[control]\n[friction]"), Contains("[control] appears twice"));
+    CHECK_THAT(says("V0 = 1e-3", "V0 = 1 mm/s"), Contains("a number with a unit is written in quotes"));
 }
 
 TEST_CASE("an axis that the maps leave out is named before it is swept", "[program]")

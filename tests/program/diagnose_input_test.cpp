@@ -153,6 +153,28 @@ TEST_CASE("a row that a logger held is left away and said to be", "[program][dia
     CHECK_THAT(program::read(folder / "out/diagnosis.json"), Contains("1 rows repeat the row before"));
 }
 
+TEST_CASE("a record without a position is refused with its columns and its joints", "[program][diagnose]")
+{
+    const auto with_header = [](const std::string& header) {
+        const std::string text = record();
+        return header + text.substr(text.find('\n'));
+    };
+    const std::pair<std::string, std::string> cases[] = {
+        {"time,reference_position,posiiton,velocity,effort_command",
+         "run.csv:1:1: has no column position; its columns are time, reference_position, posiiton (did you mean "
+         "\"position\"?), velocity, effort_command"},
+        {"time,elbow_reference_position,elbow_position,wrist_velocity,effort_command",
+         "they name the joints elbow, wrist: diagnose --joint elbow reads its columns"},
+    };
+    for (const auto& [header, says] : cases) {
+        Folder folder;
+        const auto run = diagnose(folder, with_header(header));
+        INFO(run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains(says));
+    }
+}
+
 TEST_CASE("gains that held in one record are no sign of another joint", "[program][diagnose][slow]")
 {
     Folder folder;

@@ -220,3 +220,29 @@ TEST_CASE("completions and manual know every verb", "[program]")
     CHECK_THAT(completed("boundary a.toml --kind fo"), Catch::Matchers::StartsWith("fold"));
     CHECK_THAT(completed("list la"), Catch::Matchers::StartsWith("laws"));
 }
+
+TEST_CASE("report says what a folder holds that is no sweep's", "[program]")
+{
+    Folder folder;
+    const auto said = [&](const std::string& name) {
+        const auto run = stickslip("report '" + (folder / name) + "'");
+        CHECK(run.exit_code == 2);
+        CHECK_FALSE(std::filesystem::exists(folder / name + "/results.nc"));
+        return run.output;
+    };
+    const auto joint = "examples/01-reference-joint/spec.toml";
+    REQUIRE(stickslip("margins " + std::string(joint) + " --effort 0.1 -o '" + (folder / "m") + "'").exit_code == 0);
+    CHECK_THAT(said("m"), Contains("holds margins.json of `stickslip margins`, not a sweep; its page is ") &&
+                              Contains("m/report.html, which that command draws"));
+    std::filesystem::create_directory(folder / "d");
+    folder.write("d/diagnosis.json", R"({"format": "stickslip-diagnosis/2"})");
+    CHECK_THAT(said("d"), Contains("holds diagnosis.json of `stickslip diagnose`, not a sweep; that command draws its "
+                                   "page, ") &&
+                              Contains("d/report.html, when it runs again"));
+    folder.write("d/diagnosis.json", "{");
+    CHECK_THAT(said("d"), Contains("holds no finished sweep (results.nc); make one with: stickslip sweep SPEC -o "));
+    std::filesystem::create_directory(folder / "d/journal");
+    CHECK_THAT(said("d"), Contains("holds a sweep that is not finished"));
+    CHECK_THAT(said("d/diagnosis.json"), Contains("d/diagnosis.json: is a file, expected the folder of a sweep"));
+    CHECK_THAT(said("nowhere"), Contains("nowhere: there is no such folder"));
+}

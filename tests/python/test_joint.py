@@ -1,3 +1,5 @@
+import re
+
 import pytest
 
 import stickslip
@@ -20,6 +22,23 @@ def test_keys_have_units_and_meaning():
     assert "position gain" in keys["control.k_p"].help
 
 
+def test_the_units_in_the_docstring_of_joint_are_those_of_its_keys():
+    listed = [line.split() for line in Joint.__doc__.splitlines() if re.match(r"    [a-z]+\.", line)]
+    assert len(listed) > 20
+    for motion, column in (("prismatic", 1), ("revolute", 2)):
+        units = {k.path: k.unit for model in ("single-mass", "two-mass")
+                 for k in Joint.example(model, law="coulomb-viscous", motion=motion).keys()}
+        for words in listed:
+            assert units[words[0]] == words[column], words
+
+
+def test_what_is_no_joint_is_refused_with_what_was_given():
+    with pytest.raises(TypeError, match="text: got dict, expected the TOML text of a joint; Joint.from_dict"):
+        Joint({"joint": {"inertia": 1.0}})
+    with pytest.raises(TypeError, match="tables: got str, expected a dict"):
+        Joint.from_dict("joint = 1")
+
+
 def test_setting_takes_units_and_refuses_what_does_not_fit():
     joint = Joint.example()
     joint["control.V0"] = "2 mm/s"
@@ -37,7 +56,8 @@ def test_files(tmp_path, examples):
     joint = Joint.from_file(examples / "02-ball-screw" / "joint-with-memory.toml")
     joint.save(tmp_path / "joint.toml")
     assert Joint.from_file(tmp_path / "joint.toml") == joint
-    assert "inertia" in joint._repr_html_()
+    shown = Joint.example()._repr_html_()
+    assert "joint.inertia" in shown and "load.constant" not in shown and "control.reference_velocity" not in shown  # at their defaults
     with pytest.raises(StickslipError, match="no such file"):
         Joint.from_file(tmp_path / "other.toml")
 

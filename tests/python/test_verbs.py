@@ -87,8 +87,44 @@ def test_bad_input_says_where():
         stickslip.design(Joint.from_dict(REFERENCE), {"position_noise": "1 um"})
     with pytest.raises(StickslipError, match="^input:"):
         stickslip.evaluate({**REFERENCE, "friction": {"law": "nosuch"}})
-    with pytest.raises(TypeError, match="records"):
-        stickslip.diagnose(REFERENCE, {})
+    for given, got in (({}, "an empty dict"), ([1], "list"), (None, "NoneType")):
+        for verb in (stickslip.diagnose, lambda joint, records: stickslip.check_gap(joint, records, "baseline.json")):
+            with pytest.raises(TypeError, match=f"^records: got {got}, expected a dict of at least one data frame"):
+                verb(REFERENCE, given)
+    with pytest.raises(TypeError, match="^settings: got list, expected a dict such as"):
+        stickslip.evaluate(REFERENCE, ["control.k_p=1"])
+    with pytest.raises(TypeError, match="^uncertain: got str, expected a dict"):
+        stickslip.margins(REFERENCE, "friction.L")
+    with pytest.raises(TypeError, match="^require: got str, expected a dict"):
+        stickslip.design(REFERENCE, "margin")
+    with pytest.raises(TypeError, match="^joint: got int, expected a Joint"):
+        stickslip.evaluate(5)
+
+
+def test_every_public_function_says_what_it_raises_or_its_module_does():
+    for name in stickslip.__all__:
+        thing = getattr(stickslip, name)
+        assert thing.__doc__ and thing.__doc__.strip(), name
+        if callable(thing) and not isinstance(thing, type) and thing.__module__ != "stickslip.verbs":
+            assert "Raises" in thing.__doc__ or name == "version", name
+    assert "raise StickslipError" in sys.modules["stickslip.verbs"].__doc__
+
+
+def test_options_of_the_command_line_may_be_flags(capfd):
+    delayed = {**REFERENCE, "control": {**REFERENCE["control"], "period": 1e-3, "velocity_estimate": {"form": "backward-difference"}}}
+    real, ideal = (stickslip.boundary(delayed, along="control.k_p=1e4..1e6", kind="linear", ideal_loop=ideal) for ideal in (False, True))
+    assert real.at("loop.kind") == "sampled" and ideal.at("loop.kind") == "ideal"
+    assert stickslip.margins(REFERENCE, effort=0.1)
+
+
+def test_answers_are_read_from_files_and_others_refused(tmp_path):
+    file = tmp_path / "answer.json"
+    for text, words in (("{", "is no JSON"), ("[1]", "got a JSON list, expected an answer"), (None, "there is no such file")):
+        file.write_text(text) if text else file.unlink()
+        with pytest.raises(StickslipError, match=words):
+            stickslip.read_answer(file)
+    with pytest.raises(StickslipError, match="is a folder"):
+        stickslip.read_answer(tmp_path)
 
 
 def test_export_and_import(tmp_path):
@@ -98,6 +134,17 @@ def test_export_and_import(tmp_path):
     joint = stickslip.import_robot(robot, "elbow", settings={"control.V0": 1e-3})
     assert joint["joint.inertia"] == pytest.approx(1.0) and joint["friction.coulomb"] == pytest.approx(60.0)
     assert joint["control.k_p"] == pytest.approx(6e4)
+
+
+def test_a_robot_without_gains_is_refused_with_the_settings_that_it_lacks(tmp_path):
+    robot = tmp_path / "arm.urdf"
+    robot.write_text("""<robot name='p'><link name='ground'/><link name='rod'><inertial><mass value='1'/>
+        <inertia ixx='0.2' iyy='0.2' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link><joint name='swing' type='continuous'>
+        <parent link='ground'/><child link='rod'/><axis xyz='0 1 0'/></joint></robot>""")
+    with pytest.raises(StickslipError, match=r"says nothing of control.k_p of joint 'swing'; expected settings=\{\"control.k_p\": …\}"):
+        stickslip.import_robot(robot, "swing")
+    with pytest.raises(TypeError, match="^at: got float, expected a dict"):
+        stickslip.import_robot(robot, "swing", at=0.5, settings={"control.k_p": 200})
 
 
 def test_an_interrupt_reaches_the_program(tmp_path):

@@ -38,7 +38,11 @@ def _check_options(path: Path, reader: Callable[..., "pandas.DataFrame"], option
 
 def read_log(file: str | Path, joint: str | None = None, **options: Any) -> "pandas.DataFrame":
     """Reads one joint's record from a log; the format follows from the suffix, a folder is a bag of ROS 2 or SAGE's. `joint` is its name
-    where the log has several. Options are those of the format's reader (topics, column names)."""
+    where the log has several. Options are those of the format's reader (topics, column names).
+
+    The frame has a row for each sample: time [s], positions [rad or m], velocities, efforts [N·m or N]; frame.attrs["guessed"] lists what
+    the log does not say and was assumed. Raises StickslipError for a file that is damaged, of another kind, or without that joint.
+    """
     path = Path(file)
     if not path.exists():
         raise StickslipError(f"{path}: there is no such file")

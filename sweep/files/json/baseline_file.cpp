@@ -14,7 +14,7 @@ namespace stickslip {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* format_name = "stickslip baseline 1";
+constexpr const char *format_name = "stickslip-baseline/1", *earlier_name = "stickslip baseline 1";
 
 Json json_of(const WatchedBoundary& w)
 {
@@ -85,7 +85,7 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
     std::vector<WatchedBoundary> watched;
     try {
         const Json json = Json::parse(in);
-        if (json.at("format") != format_name)
+        if (json.at("format") != format_name && json.at("format") != earlier_name)
             throw BadInput(fmt::format("{}: is no baseline of this program: \"format\" is {}, expected \"{}\"",
                                        file.string(), json.at("format").dump(), format_name));
         const auto& entries = json.at("boundaries");

@@ -101,7 +101,7 @@ std::string csv_tail(const BoundaryPoint& p)
 
 nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
 {
-    Json json = {{"format", "stickslip boundary 1"}, {"title", answer.title}, {"command", answer.command}};
+    Json json = {{"format", "stickslip-boundary/1"}, {"title", answer.title}, {"command", answer.command}};
     Joint joint = answer.design;
     json["joint"] = Json::object();
     for (const auto& leaf : parameters(joint))

@@ -102,7 +102,7 @@ std::string calibration_json(const Calibration& calibration)
 {
     Json json = {{"format", format},
                  {"method", calibration.method},
-                 {"population", calibration.population},
+                 {"population", calibration.population()},
                  {"joint", calibration.joint},
                  {"cases", Json::array()}};
     for (const auto& c : calibration.cases) json["cases"].push_back(case_json(c));
@@ -118,7 +118,7 @@ Calibration parse_calibration(const std::string& text)
                 fmt::format("format: got \"{}\", expected \"{}\"", json.value("format", ""), format));
         Calibration c;
         c.method = json.at("method");
-        c.population = json.at("population");
+        c.populations = {json.at("population").get<std::string>()};
         c.joint = json.at("joint");
         for (const auto& one : json.at("cases")) c.cases.push_back(case_from(one));
         return c;

@@ -25,7 +25,7 @@ nlohmann::ordered_json choice_json(const GainChoice& c)
 nlohmann::ordered_json design_json(const DesignAnswer& a)
 {
     const auto& d = a.design;
-    nlohmann::ordered_json json = {{"format", "stickslip design 1"}, {"title", a.title}, {"feasible", d.feasible}};
+    nlohmann::ordered_json json = {{"format", "stickslip-design/1"}, {"title", a.title}, {"feasible", d.feasible}};
     json["answer"] = plain_text(design_text(a));
     json["loop"] = loop_json(a.loop, a.left_out);
     json["objective"] = a.requirements.objective == DesignObjective::motion ? "motion" : "effort";

@@ -9,7 +9,7 @@ namespace stickslip {
 
 nlohmann::ordered_json margins_json(const MarginsAnswer& a)
 {
-    nlohmann::ordered_json json = {{"format", "stickslip margins 1"}, {"title", a.title}};
+    nlohmann::ordered_json json = {{"format", "stickslip-margins/1"}, {"title", a.title}};
     json["answer"] = plain_text(margins_text(a));
     json["reason_code"] = code_json(a.reason);
     json["loop"] = loop_json(a.loop, a.left_out);

@@ -61,6 +61,16 @@ bool holds(const List& list, const std::string& name)
 
 }  // namespace
 
+std::vector<std::string> joints_named_in(const std::vector<std::string>& columns)
+{
+    std::vector<std::string> joints;
+    for (const auto& name : columns) {
+        const auto named = signal_named(name) ? std::nullopt : named_column(name);
+        if (named && !holds(joints, named->joint)) joints.push_back(named->joint);
+    }
+    return joints;
+}
+
 RecordLayout layout_for_joint(RecordLayout layout, const std::string& joint)
 {
     const std::string place = "{joint}";
@@ -75,6 +85,7 @@ JointColumns joint_columns(const std::filesystem::path& table, const std::string
 {
     JointColumns found;
     const auto names = names_in(table);
+    found.joints = joints_named_in(names);
     const auto stated = layout.rule_for(table.filename().string()).columns;
     RecordLayout::Rule own;
     std::vector<std::string> taken;
@@ -89,7 +100,6 @@ JointColumns joint_columns(const std::filesystem::path& table, const std::string
     for (const auto& name : names) {
         const Signal* plain = signal_named(name);
         const auto named = plain ? std::nullopt : named_column(name);
-        if (named && !holds(found.joints, named->joint)) found.joints.push_back(named->joint);
         if (holds(taken, name)) continue;
         if (named && named->joint == joint && !is_stated(named->signal->name)) {
             found.present = found.present || named->signal->measured;

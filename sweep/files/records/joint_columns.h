@@ -15,6 +15,9 @@ struct JointColumns {
     RecordLayout layout;              ///< to read this joint with
 };
 
+/// The joints that the names of columns tell of, in the order of the columns.
+std::vector<std::string> joints_named_in(const std::vector<std::string>& columns);
+
 /// `{joint}` in the names of columns becomes this name.
 RecordLayout layout_for_joint(RecordLayout layout, const std::string& joint);
 

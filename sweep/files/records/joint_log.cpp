@@ -113,8 +113,10 @@ JointLog read_joint_log(const std::filesystem::path& log, const LoggedJoint& wan
     } catch (const BadInput& e) {
         throw BadInput(converted.as_of_the_log(e.messages()));
     }
-    read.records.back().record.name = name_of_log(log);
-    read.records.back().guesses = converted.guesses();
+    RecordReading& reading = read.records.back();
+    reading.record.name = name_of_log(log);
+    if (!reading.no_position.empty()) reading.no_position = converted.as_of_the_log({reading.no_position}).front();
+    reading.guesses = converted.guesses();
     return read;
 }
 

@@ -124,7 +124,7 @@ class OutcomeReader {
                     complain(cell.column, "\"" + name + "\" is not one number of the joint, write its whole path");
                 if (found.size() == 1) {
                     if (std::find(table_.paths.begin(), table_.paths.end(), found[0]->path) != table_.paths.end())
-                        complain(cell.column, "column \"" + name + "\" stands twice in the header");
+                        complain(cell.column, "column \"" + name + "\" appears twice in the header");
                     column.role = Role::setting, quantity = found[0]->quantity, column.range = found[0]->range;
                     table_.paths.push_back(found[0]->path);
                 } else if (found.empty()) {

@@ -54,8 +54,7 @@ class RecordReader {
         const Signal* signal = nullptr;
         Scaling scaling;
         std::vector<double>* values = nullptr;
-        std::uint64_t missing = 0, first_missing_line = 0;
-        std::size_t first_missing_column = 0;
+        std::uint64_t missing = 0, first_missing_line = 0, first_missing_column = 0;
     };
 
     void complain(std::uint64_t line, std::size_t column, const std::string& text)
@@ -98,6 +97,7 @@ class RecordReader {
         if (!header.errors.empty()) throw BadInput(header.errors);
         separator_ = header.separator;
         reading_.warnings = std::move(header.warnings);
+        reading_.no_position = std::move(header.no_position);
         for (const auto& column : header.columns) slots_.push_back({column.signal, column.scaling});
     }
 
@@ -209,12 +209,12 @@ class RecordReader {
                 reading_.warnings.push_back(
                     signal + ": the file has this column, the constant of [record.constants] is not used");
         }
-        const bool unit_named = std::any_of(rule_.columns.begin(), rule_.columns.end(),
-                                            [](const auto& c) { return c.signal == "position" && c.unit_named; });
-        const bool time_named = std::any_of(rule_.columns.begin(), rule_.columns.end(),
-                                            [](const auto& c) { return c.signal == "time" && c.unit_named; });
-        auto& found = reading_.suspicions = impossible_signals(record, gap::joint_in(record, joint_), time_named);
-        if (found.empty()) found = suspicions(record, joint_, unit_named);  // every rate would be doubtful, too
+        if (!record.position.empty()) reading_.no_position.clear();
+        const auto named = [this](std::string_view signal) {  // its unit
+            return std::ranges::any_of(rule_.columns, [&](auto& c) { return c.signal == signal && c.unit_named; });
+        };
+        auto& found = reading_.suspicions = impossible_signals(record, gap::joint_in(record, joint_), named("time"));
+        if (found.empty()) found = suspicions(record, joint_, named("position"));  // every rate would be doubtful, too
     }
 
     std::string name_;

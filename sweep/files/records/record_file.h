@@ -23,6 +23,8 @@ struct RecordReading {
     std::vector<std::pair<std::string, std::string>> missing;
     /// What the log does not say and its reader took for granted.
     std::vector<std::string> guesses;
+    /// Without a position: that, with the place and what the file has instead. Rigs do without one.
+    std::string no_position;
 
     /// Warnings and suspicions, each in a sentence.
     std::vector<std::string> sentences() const;

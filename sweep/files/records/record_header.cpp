@@ -1,5 +1,6 @@
 #include "sweep/files/records/record_header.h"
 
+#include "sweep/files/records/joint_columns.h"
 #include "sweep/files/text/csv_cells.h"
 #include "sweep/files/text/header_row.h"
 #include "sweep/files/text/toml_input.h"
@@ -28,7 +29,7 @@ class HeaderMatcher {
         }
         for (auto name = names_.begin(); name != names_.end(); ++name)
             if (std::find(names_.begin(), name, *name) != name)
-                complain("column \"" + *name + "\" stands twice in the header");
+                complain("column \"" + *name + "\" appears twice in the header");
         header_.columns.resize(names_.size());
         take_layout_columns();
         take_own_columns();
@@ -39,10 +40,11 @@ class HeaderMatcher {
   private:
     using Column = RecordHeader::Column;
 
-    void complain(const std::string& text)
+    std::string placed(const std::string& text) const
     {
-        header_.errors.push_back(place_.file + ":" + std::to_string(place_.line) + ":1: " + text);
+        return place_.file + ":" + std::to_string(place_.line) + ":1: " + text;
     }
+    void complain(const std::string& text) { header_.errors.push_back(placed(text)); }
 
     void take_layout_columns()
     {
@@ -101,7 +103,7 @@ class HeaderMatcher {
         Column& slot = header_.columns[i];
         for (std::size_t k = 0; k < i; ++k)
             if (header_.columns[k].signal == &signal && names_[k] != names_[i])
-                complain(std::string(signal.name) + " stands twice in the header");
+                complain(std::string(signal.name) + " appears twice in the header");
         slot.signal = &signal;
         if (unit.empty()) return;
         const auto reading = signal.any_unit ? parse_unit(unit) : unit_for(unit, signal.quantity, units_of(joint_));
@@ -137,21 +139,39 @@ class HeaderMatcher {
                                        token);
     }
 
+    /// Of what the file has in place of a signal that it lacks: its columns, the nearest names, the joints in them.
+    std::string has_instead(const std::vector<std::string>& wanted) const
+    {
+        std::string columns;
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            const bool known = header_.columns[i].signal || !joints_named_in({names_[i]}).empty();
+            columns += (i ? ", " : "") + names_[i] + (known ? "" : did_you_mean_signal(names_[i], wanted));
+        }
+        std::string text = "; its columns are " + columns + ", [record.columns] can give them other names";
+        const auto joints = joints_named_in(names_);
+        if (!joints.empty())
+            text += "; they name the joint" + std::string(joints.size() > 1 ? "s " : " ") + listed(joints) +
+                    ": diagnose --joint " + joints.front() + " reads its columns";
+        return text;
+    }
+
     void require_signals()
     {
-        bool time = false, measured = false;
+        bool time = false, measured = false, position = false;
         for (const auto& slot : header_.columns) {
             if (!slot.signal) continue;
             time = time || slot.signal->name == "time";
+            position = position || slot.signal->name == "position";
             measured = measured || slot.signal->measured;
         }
         std::vector<std::string> names;
         for (const auto& s : signals())
             if (s.measured) names.emplace_back(s.name);
-        const std::string ending =
-            "; its columns are " + listed(names_) + ", [record.columns] can give them other names";
-        if (!time) complain("has no column time" + ending + "; a table of outcomes has a column outcome");
-        if (!measured) complain("has no measured signal, expected one of " + listed(names) + ending);
+        if (!time)
+            complain("has no column time" + has_instead({"time"}) + "; a table of outcomes has a column outcome");
+        if (!measured) complain("has no measured signal, expected one of " + listed(names) + has_instead(names));
+        header_.no_position = position ? place_.file + ": every cell of its column position is empty"
+                                       : placed("has no column position" + has_instead({"position"}));
     }
 
     const HeaderPlace& place_;

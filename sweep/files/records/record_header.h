@@ -19,6 +19,7 @@ struct RecordHeader {
     char separator = ',';
     std::vector<Column> columns;
     std::vector<std::string> warnings, errors;  ///< errors stand with their place
+    std::string no_position;                    ///< to say, with the place, where the record has no position
 };
 
 /// Where the header row stands.

@@ -2,7 +2,7 @@
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/toml/joint_file.h"
-#include "sweep/words/inertia_text.h"
+#include "sweep/words/robot_description_text.h"
 
 #include <fmt/format.h>
 
@@ -63,6 +63,7 @@ std::string import_text(const ImportAnswer& answer, const std::string& robot_fil
                 ? ", its stiffness " + with(d.gravity_stiffness, Quantity::stiffness, units) + ".\n"
                 : ".\n";
     for (const auto& of : answer.impossible) text += "# " + impossible_inertia_text(of) + "\n";
+    for (const auto& of : answer.beyond) text += "# The robot cannot reach this pose: " + beyond_limits_text(of) + "\n";
     text += limits_text(answer.described, units);
     if (answer.described.friction == 0)
         text += "# Friction is 0 in the robot's description: put in what was measured.\n";

@@ -77,6 +77,8 @@ class MjcfReader {
         input_.apply_defaults(node, childclass);
         const std::string type =
             std::string(node.name()) == "freejoint" ? "free" : node.attribute("type").as_string("hinge");
+        if (type == "free" && robot_.bodies[static_cast<std::size_t>(body)].parent >= 0)
+            input_.file.fail(node, "frees a body that another one carries; expected it in a body of <worldbody> only");
         if (type == "free" || type == "ball") return;  // stands where it is drawn
         RobotJoint joint;
         joint.name = node.attribute("name").as_string();

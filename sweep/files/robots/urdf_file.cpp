@@ -77,7 +77,7 @@ class TreeBuilder {
     void read()
     {
         for (const auto& link : file_.root().children("link"))
-            if (!links_.emplace(file_.required(link, "name"), link).second) file_.fail(link, "stands twice");
+            if (!links_.emplace(file_.required(link, "name"), link).second) file_.fail(link, "appears twice");
         for (const auto& node : file_.root().children("joint")) {
             const std::string parent = file_.required(node.child("parent"), "link");
             const std::string child = file_.required(node.child("child"), "link");

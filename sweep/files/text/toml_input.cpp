@@ -73,12 +73,12 @@ std::string syntax_error(std::string_view parser_says, std::string_view text, un
     if (given_above(text, number)) {
         const auto name =
             line.starts_with('[') ? line : line.substr(0, line.find_last_not_of(" \t", line.find('=') - 1) + 1);
-        return std::string(name) + " stands twice in this file; keep one of the two";
+        return std::string(name) + " appears twice in this file; keep one of the two";
     }
     if (parser_says.starts_with("Error while parsing "))
         parser_says.remove_prefix(std::min(parser_says.find(": "), parser_says.size() - 2) + 2);
     return "not valid TOML: " + std::string(parser_says) +
-           (number_with_unit(line) ? "; a number with a unit stands in quotes, as in V0 = \"1 mm/s\"" : "");
+           (number_with_unit(line) ? "; a number with a unit is written in quotes, as in V0 = \"1 mm/s\"" : "");
 }
 
 }  // namespace

@@ -98,10 +98,30 @@ Joint read_joint(const std::filesystem::path& file)
     return read_joint_text(files::read_text(file), file.string(), file.parent_path());
 }
 
+namespace {
+
+/// A sweep's spec has the joint inside it, or names its file.
+void refuse_spec(const toml::table& root, files::Complaints& complaints)
+{
+    const toml::node* sign = root.get("axes");
+    const auto* file = root.get("joint");
+    const bool names_file = file && file->is_string();
+    if (names_file) sign = file;
+    if (!sign) return;
+    complaints.add(sign->source(), names_file ? "joint" : "axes",
+                   "this is the spec of a sweep, expected a joint file: " +
+                       (names_file ? "the one that it names, " + file->value_or(std::string())
+                                   : "stickslip new joint --from " + complaints.source() + " writes its design point"));
+    complaints.throw_if_any();
+}
+
+}  // namespace
+
 Joint read_joint_text(std::string_view text, const std::string& name, const std::filesystem::path& folder)
 {
     const toml::table root = files::parse_toml(text, name);
     files::Complaints complaints(name);
+    refuse_spec(root, complaints);
     Joint joint = files::joint_from(root, complaints, {"record", "requirements"}, folder);
     complaints.throw_if_any();
     return joint;

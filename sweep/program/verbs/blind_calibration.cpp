@@ -46,7 +46,7 @@ void write_calibration(const fs::path& file, const std::string& population, cons
                        const std::map<std::string, blind::Answer>& answers,
                        const std::map<std::string, blind::Truth>& truths)
 {
-    guarantee::Calibration calibration{method_hash(), population, "", {}};
+    guarantee::Calibration calibration{method_hash(), {population}, "", {}};
     for (const auto& folder : cases) {
         const auto name = folder.filename().string();
         const auto answer = answers.find(name);

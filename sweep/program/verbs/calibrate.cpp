@@ -135,7 +135,7 @@ Work work_of(const Options& options)
     Work work{joint,
               std::move(cases),
               place_among(joint, given.records),
-              begun(options, {method_hash(), population, hash_of(joint), {}}),
+              begun(options, {method_hash(), {population}, hash_of(joint), {}}),
               {}};
     for (int n = shard.number - 1; n < options.cases; n += shard.of)
         if (std::ranges::find(work.calibration.cases, name_of_case(options.seed, n, work.calibration.joint),

@@ -196,7 +196,7 @@ void add_diagnose(CommandLine& line, Invocation& invocation)
                     "nominal joint, TOML; or robot.toml with [joints], or a folder of joint files")
         ->required();
     verb.add_option("RECORD", options->records,
-                    "records, CSV or .csv.gz, SI units unless the [record] table says otherwise, or logs that convert "
+                    "records, CSV or .csv.gz, SI units unless the [record] table gives others, or logs that convert "
                     "reads; or one table of outcomes: k_p, k_v, V0, outcome (stable | stick-slip), amplitude")
         ->required();
     verb.add_flag("--all-joints", options->all_joints, "every joint of a robot, and a page of joints and causes");

@@ -68,6 +68,7 @@ void GatheredRecords::add(RecordReading reading)
         if (contradicts(suspicion)) contradictions.push_back(suspicion);
         warnings.push_back(std::move(suspicion));
     }
+    if (!reading.no_position.empty() && !gap::is_rig(reading.record)) gaps.push_back(std::move(reading.no_position));
     records.push_back(std::move(reading.record));
     for (const auto& [signal, place] : reading.missing)
         if (needs_every_value(signal)) gaps.push_back(place + "; the diagnosis needs every value; remove these rows");

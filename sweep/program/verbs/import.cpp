@@ -7,7 +7,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
-#include "sweep/words/inertia_text.h"
+#include "sweep/words/robot_description_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -38,6 +38,13 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
     for (const auto& of : answer.impossible)
         impossible.push_back(
             {{"body", of.body}, {"place", of.place}, {"moments", {of.moments[0], of.moments[1], of.moments[2]}}});
+    auto beyond = nlohmann::ordered_json::array();
+    for (const auto& of : answer.beyond)
+        beyond.push_back({{"joint", of.joint.name},
+                          {"position", of.position},
+                          {"lower", finite(of.joint.low)},
+                          {"upper", finite(of.joint.high)},
+                          {"place", of.joint.place}});
     return {{"format", "stickslip-import/1"},
             {"joint", j.name},
             {"text", text},
@@ -58,6 +65,7 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
               {"effort", finite(j.effort)}}},
             {"gear", j.gear},
             {"impossible_inertias", impossible},
+            {"beyond_limits", beyond},
             {"missing", answer.missing}};
 }
 
@@ -83,6 +91,7 @@ int import_verb(const Options& options)
         write_whole(options.file, text);
     }
     for (const auto& of : answer.impossible) say("note: {}\n", impossible_inertia_text(of));
+    for (const auto& of : answer.beyond) say("note: {}\n", beyond_limits_text(of));
     for (const auto& path : answer.missing) say("Still to fill in: {} (or --set {}=…)\n", path, path);
     return exit_done;
 }
@@ -95,7 +104,7 @@ void add_import(CommandLine& line, Invocation& invocation)
     auto verb = line.add_verb("import", "Make joint.toml of one joint of a robot: URDF or MJCF");
     verb.add_option("ROBOT", options->robot, "robot description, URDF or MJCF")->required();
     verb.add_option("--joint", options->joint, "name of the joint")->required();
-    verb.add_option("--at", options->pose, "pose: TOML with joint = coordinate; others stand at their zero");
+    verb.add_option("--at", options->pose, "pose: TOML with joint = coordinate, rad or m; other joints are at zero");
     verb.add_option("--set", options->settings, "set a parameter: path=value");
     verb.add_option("-o,--output", options->file, "file to write; default: standard output");
     verb.add_flag("--json", options->json, "machine-readable, stable names");

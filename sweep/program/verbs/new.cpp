@@ -46,7 +46,7 @@ int new_file(const Options& options)
                       : read_spec_or_joint(options.from, {}).design;
     apply_settings(joint, options.settings);
     if (options.plain && options.what == "spec")
-        throw BadInput("--plain: is for joints; a new spec has comments that say what may stand in it");
+        throw BadInput("--plain: is for joints; a new spec has comments that say what it may contain");
     const std::string text = options.plain             ? joint_text(joint)
                              : options.what == "joint" ? commented_joint(joint)
                                                        : commented_spec(joint);

@@ -7,6 +7,7 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/held_answer.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/timestamp.h"
 #include "sweep/program/verbs/verbs.h"
@@ -30,9 +31,7 @@ struct Options {
 ResultsFile finished_sweep(const std::string& directory)
 {
     const auto file = std::filesystem::path(directory) / run_files::results;
-    if (!std::filesystem::exists(file))
-        throw BadInput(directory + ": holds no finished sweep (results.nc); make one with: stickslip sweep -o " +
-                       directory);
+    if (!std::filesystem::exists(file)) throw BadInput(instead_of_a_sweep(directory));
     return ResultsFile(file);
 }
 

@@ -125,7 +125,7 @@ Section surroundings_section(const SimulatedSurroundings& surroundings, const Ax
         std::string caption =
             "d(t) of (9) on the link, held over each sample of " + with_unit(d.step, Quantity::time, units) + ".";
         if (d.impulse != 0)
-            caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, units) + " stands before it.";
+            caption += " An impulse of " + with_unit(d.impulse, Quantity::impulse, units) + " precedes it.";
         section.figures.push_back(
             line_figure("force",
                         chart_of("Disturbing force in time", time, axis_label("force d", Quantity::effort, units),

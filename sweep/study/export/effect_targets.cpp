@@ -44,50 +44,70 @@ std::vector<std::string> changed_keys(const Joint& from, const Joint& to)
     return changed;
 }
 
-/// The joint with the effect at its usual size, by its first form that this joint can have. Where the usual size is no
-/// change, half the way to the upper bounds is one. Nothing where the joint has no such form.
-std::vector<std::string> changed_by(const gap::Effect& effect, const Joint& joint, Joint& edited)
+/// By the first form that this joint can have. Where the usual size is no change, half the way to the upper bounds is
+/// one. Nothing changed: the joint has no such form.
+EffectEdit edit_by(const gap::Effect& effect, const Joint& joint)
 {
     gap::Scales scales;
     scales.coulomb = 1;
     for (const auto& form : effect.forms) {
         const gap::Candidate candidate{{&effect}, {&form}, 1};
         if (!candidate.applies(joint) || !form.apply) continue;
-        for (const bool usual : {true, false}) {
-            std::vector<double> size;
-            for (std::size_t i = 0; i < candidate.parameter_count(); ++i) {
-                const auto& p = candidate.parameter(i);
-                size.push_back(usual ? p.prior : 0.5 * (p.prior + p.high));
-            }
-            edited = gap::edited(joint, candidate, gap::in_si(candidate, gap::to_fit(candidate, size), scales), 0);
-            if (auto changed = changed_keys(joint, edited); !changed.empty()) return changed;
+        const auto at = [&](const std::vector<double>& size) {
+            return gap::edited(joint, candidate, gap::in_si(candidate, gap::to_fit(candidate, size), scales), 0);
+        };
+        std::vector<double> usual, half_way;
+        std::size_t sized = 0;
+        for (std::size_t i = 0; i < candidate.parameter_count(); ++i) {
+            const auto& p = candidate.parameter(i);
+            usual.push_back(p.prior);
+            half_way.push_back(0.5 * (p.prior + p.high));
+            if (p.size) sized = i;
+        }
+        for (auto size : {usual, half_way}) {
+            EffectEdit edit;
+            edit.edited = at(size);
+            edit.changed = changed_keys(joint, edit.edited);
+            if (edit.changed.empty()) continue;
+            size[sized] = 0.5 * (size[sized] + candidate.parameter(sized).high);
+            edit.larger = at(size);
+            for (auto& key : changed_keys(edit.edited, edit.larger))
+                if (std::ranges::find(edit.changed, key) != edit.changed.end()) edit.own.push_back(std::move(key));
+            return edit;
         }
     }
     return {};
 }
 
-EffectTarget target_of(const Joint& edited, const std::vector<std::string>& changed, Simulator to)
+EffectTarget target_of(const EffectEdit& edit, Simulator to)
 {
     EffectTarget target;
-    for (const auto& n : export_joint(edited, to).not_expressible)
-        if (std::ranges::find(changed, n.key) != changed.end()) target.lost.push_back(n);
-    target.says = target.lost.empty() ? Says::all : target.lost.size() == changed.size() ? Says::nothing : Says::part;
+    std::size_t own_lost = 0;
+    for (const auto& n : export_joint(edit.edited, to).not_expressible) {
+        if (std::ranges::find(edit.changed, n.key) == edit.changed.end()) continue;
+        target.lost.push_back(n);
+        const bool held_in_part = n.why == Lost::delay_of_target && delays_target(to);
+        if (!held_in_part && std::ranges::find(edit.own, n.key) != edit.own.end()) ++own_lost;
+    }
+    target.says = target.lost.empty() ? Says::all : own_lost == edit.own.size() ? Says::nothing : Says::part;
     return target;
 }
 
 }  // namespace
 
+EffectEdit usual_edit(const gap::Effect& effect)
+{
+    for (const Joint& joint : kinds())
+        if (EffectEdit edit = edit_by(effect, joint); !edit.own.empty()) return edit;
+    throw std::logic_error("no kind of joint can have " + std::string(effect.name));
+}
+
 std::array<EffectTarget, std::size(simulators)> targets_of(const gap::Effect& effect)
 {
-    for (const Joint& joint : kinds()) {
-        Joint edited;
-        const auto changed = changed_by(effect, joint, edited);
-        if (changed.empty()) continue;
-        std::array<EffectTarget, std::size(simulators)> targets;
-        for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = target_of(edited, changed, simulators[i].value);
-        return targets;
-    }
-    throw std::logic_error("no kind of joint can have " + std::string(effect.name));
+    const EffectEdit edit = usual_edit(effect);
+    std::array<EffectTarget, std::size(simulators)> targets;
+    for (std::size_t i = 0; i < targets.size(); ++i) targets[i] = target_of(edit, simulators[i].value);
+    return targets;
 }
 
 }  // namespace stickslip

@@ -197,11 +197,14 @@ ExportAnswer export_joint(const Joint& joint, Simulator to, const ExportOptions&
     answer.joint = simulator_joint(joint, options.split);
     answer.timestep = is_set(options.timestep) ? options.timestep : timestep_for(answer.joint, to);
     answer.delay_steps = static_cast<int>(std::lround(answer.joint.delay / answer.timestep));
+    // two hinges with the dead band between them: the rotor is a body of its own
+    const bool rotor_apart = answer.joint.backlash > 0 && answer.joint.two_bodies();
     std::string law;
     for (const auto& key : keys(joint)) {
         const bool law_name = key.path.ends_with(".law");
         if (!law_name && (!key.in_force() || key.value.empty())) continue;
-        if (const auto why = lost(key, to, law)) answer.not_expressible.push_back({key.path, *why});
+        const auto why = lost(key, to, law);
+        if (why && !(why == Lost::joined_to_link && rotor_apart)) answer.not_expressible.push_back({key.path, *why});
     }
     return answer;
 }

@@ -47,6 +47,12 @@ enum class Lost {
     not_position_control,
 };
 
+/// Whether the exported actuator delays its target by the dead time; the feedback is delayed nowhere.
+constexpr bool delays_target(Simulator to)
+{
+    return to == Simulator::isaaclab;
+}
+
 /// As JSON calls it.
 constexpr std::string_view name_of(Lost why)
 {

@@ -94,12 +94,13 @@ SimulatorRun run_in_simulator(const ExportAnswer& answer, const Record& r, doubl
     Bodies bodies(answer, r.position.front() / scale);
     SimulatorRun run;
     const double h = answer.timestep, start = r.time.front();
+    const double held_back = delays_target(answer.to) ? answer.delay_steps * h : 0;
     double integral = 0;
     for (std::size_t k = 0; run.position.size() < r.rows(); ++k) {
         const double t = start + static_cast<double>(k) * h;
         const Body before = bodies.measured();
-        const double error = reference.at(t) / scale - before.position;
-        const double wanted = s.reference_velocity ? velocity.at(t) / scale : 0;
+        const double error = reference.at(t - held_back) / scale - before.position;
+        const double wanted = s.reference_velocity ? velocity.at(t - held_back) / scale : 0;
         if (integrates) integral += s.k_i * error * h;
         double effort = s.k_p * error + s.k_v * (wanted - before.velocity) + integral;
         effort = std::clamp(effort, -s.effort_limit, s.effort_limit);

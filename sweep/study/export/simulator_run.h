@@ -15,7 +15,8 @@ struct SimulatorRun {
 /// The servos follow the record's reference, which is divided by `scale` to stand at the joint's side. Each step of the
 /// simulator takes the velocity first and the position with it (semi-implicit Euler), the damping of joints implicitly,
 /// dry friction as an impulse of at most its level, and springs and servos from the step before, as MuJoCo's Euler
-/// does; other engines' steps are of the same order. Loads, inertia and switched drives of the record act.
+/// does; other engines' steps are of the same order. Isaac Lab's targets arrive late by the dead time. Loads, inertia
+/// and switched drives of the record act.
 SimulatorRun run_in_simulator(const ExportAnswer& answer, const Record& record, double scale);
 
 }  // namespace stickslip

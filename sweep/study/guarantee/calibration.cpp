@@ -31,8 +31,15 @@ void merge(Calibration& into, const Calibration& other)
         else if (!same_answer(*known, one))
             throw std::invalid_argument("has another answer to case " + one.name + " than an earlier file");
     }
-    if (into.population.find(other.population) == std::string::npos)
-        into.population += (into.population.empty() ? "" : "; ") + other.population;
+    for (const auto& one : other.populations)
+        if (std::ranges::find(into.populations, one) == into.populations.end()) into.populations.push_back(one);
+}
+
+std::string Calibration::population() const
+{
+    std::string all;
+    for (const auto& one : populations) all += (all.empty() ? "" : "; ") + one;
+    return all;
 }
 
 double Promise::limit(const std::string& cause) const
@@ -70,7 +77,7 @@ CauseSet set_of(const blind::Answer& answer, const Promise& promise, const Calib
 {
     CauseSet set{.coverage = promise.coverage, .confidence = promise.confidence, .holds = promise.holds};
     set.cases = promise.cases;
-    set.population = calibration.population;
+    set.population = calibration.population();
     const bool every = promise.holds == CauseSet::Holds::every_cause;
     const auto stays = [&](const std::string& cause) {
         const bool calibrated = promise.cases_of.contains(cause);

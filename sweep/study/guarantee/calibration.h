@@ -19,10 +19,13 @@ struct CalibrationCase {
 };
 
 struct Calibration {
-    std::string method;      ///< hash of the sources that answered: the promise is about their answers
-    std::string population;  ///< how the cases were drawn
-    std::string joint;       ///< hash of the one joint that the cases are of; empty: of many
+    std::string method;                    ///< hash of the sources that answered: the promise is about their answers
+    std::vector<std::string> populations;  ///< how the cases were drawn, those of merged calibrations each once
+    std::string joint;                     ///< hash of the one joint that the cases are of; empty: of many
     std::vector<CalibrationCase> cases;
+
+    /// All of them in one line.
+    std::string population() const;
 };
 
 /// Adds the cases of another calibration; those that both have count once. Throws std::invalid_argument where method or

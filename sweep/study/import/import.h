@@ -8,6 +8,12 @@
 
 namespace stickslip {
 
+/// A joint and where it stands.
+struct PoseBeyondLimits {
+    RobotJoint joint;
+    double position = 0;
+};
+
 struct ImportAnswer {
     Joint joint;  ///< one mass; gains only where the robot's description has them
     AxisDynamics dynamics;
@@ -15,6 +21,7 @@ struct ImportAnswer {
     double position = 0;                        ///< of the joint at this pose
     std::vector<std::string> missing;           ///< paths of required numbers that no robot description has
     std::vector<ImpossibleInertia> impossible;  ///< counted as they are described
+    std::vector<PoseBeyondLimits> beyond;       ///< joints that cannot reach this pose
     const RobotClosure* loop =
         nullptr;  ///< what ties the joint to the rest, into the robot: nothing else is then valid
 };

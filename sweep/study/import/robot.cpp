@@ -57,6 +57,18 @@ std::vector<ImpossibleInertia> impossible_inertias(const Robot& robot, int joint
     return found;
 }
 
+std::vector<int> beyond_limits(const Robot& robot, const std::vector<double>& pose)
+{
+    constexpr double written = 1e-4;  // rad or m: limits and poses are written with few digits
+    std::vector<int> beyond;
+    for (std::size_t i = 0; i < pose.size(); ++i) {
+        const auto& joint = robot.joints[i];
+        if (joint.kind == RobotJointKind::fixed) continue;
+        if (pose[i] < joint.low - written || pose[i] > joint.high + written) beyond.push_back(static_cast<int>(i));
+    }
+    return beyond;
+}
+
 bool passes_through(const Robot& robot, const RobotClosure& closure, int joint)
 {
     // coordinates that are tied stand still together wherever their bodies are
@@ -83,19 +95,19 @@ AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<doub
         ++d.bodies;
     }
     if (!hinge) {
-        d.gravity_effort = d.mass * axis.dot(robot.gravity);
+        d.gravity_effort = d.mass * axis.dot(robot.gravity) + 0.0;  // no −0
         return d;
     }
     // the effort of gravity turns with the moment: T0 cos(q − q0) + T1 sin(q − q0) = −A sin(q + phase)
     const double T0 = axis.dot(moment.cross(robot.gravity));
     const double T1 = axis.dot(axis.cross(moment).cross(robot.gravity));
-    d.gravity_effort = T0;
-    d.gravity_stiffness = -T1;
+    d.gravity_effort = T0 + 0.0;
+    d.gravity_stiffness = -T1 + 0.0;
     d.gravity_amplitude = std::hypot(T0, T1);
     if (d.gravity_amplitude > 1e-12 * d.mass * robot.gravity.norm())
         d.gravity_phase = std::remainder(std::atan2(-T0, -T1) - pose[index], 2 * std::acos(-1.0)) + 0.0;  // no −0
-    else
-        d.gravity_amplitude = 0;
+    else  // the axis is upright or nothing hangs on it, but for rounding
+        d.gravity_amplitude = d.gravity_effort = d.gravity_stiffness = 0;
     return d;
 }
 

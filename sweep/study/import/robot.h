@@ -75,6 +75,9 @@ std::vector<ImpossibleInertia> impossible_inertias(const Robot& robot, int joint
 /// `pose` has one coordinate a joint.
 AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<double>& pose);
 
+/// Joints that stand where their limits do not let them.
+std::vector<int> beyond_limits(const Robot& robot, const std::vector<double>& pose);
+
 /// Whether a joint moves the body.
 bool moves(const Robot& robot, int joint, int body);
 

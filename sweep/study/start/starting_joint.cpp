@@ -66,6 +66,19 @@ const Example* example_of(std::string_view path, Model model)
     return found == std::end(examples) ? nullptr : found;
 }
 
+/// Of a spring between two bodies.
+bool is_damping_of(const Mechanism& m, const double* value)
+{
+    return value == &m.transmission.damping || value == &m.motor_transmission.damping ||
+           value == &m.transmission_link.damping;
+}
+
+/// Of a friction law.
+bool is_reference_velocity(const Parameter& parameter)
+{
+    return parameter.role == Role::label && parameter.quantity == Quantity::velocity;
+}
+
 }  // namespace
 
 Joint starting_joint(Model model, const std::string& law, Motion motion)
@@ -81,10 +94,10 @@ Joint starting_joint(Model model, const std::string& law, Motion motion)
     Joint::fields(joint, filler);
     for (auto& parameter : parameters(joint)) {
         const bool wanted = parameter.need == Need::required || parameter.path == "control.V0" ||
-                            parameter.path == "control.k_v" || parameter.path.ends_with("_star") ||
-                            parameter.path.ends_with("transmission.damping");
+                            parameter.path == "control.k_v" || is_damping_of(joint.mechanism, parameter.value) ||
+                            is_reference_velocity(parameter);
         const bool absent = !is_set(*parameter.value) || *parameter.value == 0;
-        if (!wanted || (parameter.path.find(".memory.") != std::string::npos)) continue;
+        if (!wanted) continue;
         if (const auto* example = example_of(parameter.path, model); example && absent)
             *parameter.value = motion == Motion::prismatic ? example->prismatic : example->revolute;
     }

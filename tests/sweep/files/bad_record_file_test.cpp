@@ -56,8 +56,13 @@ TEST_CASE("headers that do not do")
                StartsWith("run.csv:1:1: has no column time; its columns are t, position"));
     CHECK_THAT(only_error("time,effort_command\n0,1\n"),
                StartsWith("run.csv:1:1: has no measured signal, expected one of position, velocity,"));
+    CHECK_THAT(only_error("time,posiiton\n0,1\n"),
+               Contains("; its columns are time, posiiton (did you mean \"position\"?), [record.columns] can"));
+    CHECK_THAT(only_error("time,elbow_position,wrist_position\n0,1,1\n"),
+               EndsWith("; its columns are time, elbow_position, wrist_position, [record.columns] can give them other "
+                        "names; they name the joints elbow, wrist: diagnose --joint elbow reads its columns"));
     CHECK(only_error("time,position,position\n0,1,1\n") ==
-          "run.csv:1:1: column \"position\" stands twice in the header");
+          "run.csv:1:1: column \"position\" appears twice in the header");
     CHECK(only_error("time,angle\n0,1\n", "[record.columns]\nposition = \"anlge\"\n") ==
           "record.toml:2:1: record.columns.position: run.csv has no column \"anlge\", its columns are time, angle; "
           "did you mean \"angle\"?");
@@ -87,4 +92,17 @@ TEST_CASE("rows that do not do")
     for (int i = 0; i < 1000; ++i) junk += "x,y" + std::to_string(i) + "\n";
     CHECK(errors(junk).size() == 21);
     CHECK(errors(junk).back() == "run.csv: and more; only the first 20 errors are shown");
+}
+
+TEST_CASE("a record without a position says what it has instead")
+{
+    CHECK_THAT(read("time,velocity,posiiton\n0,1,1\n1,1,1\n").no_position,
+               EndsWith("run.csv:1:1: has no column position; its columns are time, velocity, posiiton (did you mean "
+                        "\"position\"?), [record.columns] can give them other names"));
+    CHECK_THAT(read("time,velocity,elbow_position\n0,1,1\n1,1,1\n").no_position,
+               EndsWith("; they name the joint elbow: diagnose --joint elbow reads its columns"));
+    CHECK_THAT(read("time,velocity,position\n0,1,\n1,1,\n").no_position,
+               EndsWith("run.csv: every cell of its column position is empty"));
+    CHECK(read("time,velocity,position\n0,1,1\n1,1,1\n").no_position.empty());
+    CHECK(read("time,velocity\n0,1\n1,1\n", "[record.constants]\nposition = 0\n").no_position.empty());
 }

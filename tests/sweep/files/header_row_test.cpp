@@ -38,7 +38,7 @@ TEST_CASE("The separator of a table is a comma where its header has one")
     CHECK(files::separator_of("time\tposition") == '\t');
 }
 
-TEST_CASE("A column's unit stands in square brackets behind its name")
+TEST_CASE("A column's unit is in square brackets after its name")
 {
     using Parts = std::pair<std::string, std::string>;
     CHECK(files::name_and_unit("position [mm/s]") == Parts{"position", "mm/s"});

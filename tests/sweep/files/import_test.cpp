@@ -172,6 +172,39 @@ TEST_CASE("import: an inertia that no rigid body has is counted and said")
     CHECK(imported("ixx=\"0.052\" iyy=\"0.052\" izz=\"0.1045\"").impossible.empty());
 }
 
+TEST_CASE("import: a pose beyond a joint's limits is said, with the limits")
+{
+    const TemporaryDirectory room;
+    const Robot robot = read_robot(written(room, "arm.urdf", arm_urdf));
+    const int elbow = joint_named(robot, "elbow", "arm.urdf");
+    const auto at = [&](const std::string& shoulder) {
+        return import_joint(robot, elbow, read_pose(robot, written(room, "at.toml", "shoulder = " + shoulder + "\n")));
+    };
+    const auto beyond = at("2.5");
+    REQUIRE(beyond.beyond.size() == 1);
+    CHECK_THAT(import_text(beyond, "arm.urdf", "at.toml"),
+               Catch::Contains("joint \"shoulder\" is at 2.5 rad, outside its limits -2 to 2 rad (") &&
+                   Catch::Contains("arm.urdf:9)"));
+    for (const char* within : {"2", "-1", "2.00005"}) CHECK(at(within).beyond.empty());
+    CHECK(at("-2.1").beyond.size() == 1);
+}
+
+TEST_CASE("import: a joint that gravity does not turn has neither effort nor stiffness, and no minus before its zero")
+{
+    const TemporaryDirectory room;
+    const Robot robot = read_robot(
+        written(room, "upright.urdf",
+                replaced(arm_urdf, "<axis xyz=\"0 -1 0\"/>\n    <limit", "<axis xyz=\"0 0 1\"/>\n    <limit")));
+    const int shoulder = joint_named(robot, "shoulder", "upright.urdf");
+    for (const double turned : {0.0, 0.3, -1.0}) {
+        const auto answer = import_joint(robot, shoulder, {turned, 0.4});
+        const auto text = import_text(answer, "upright.urdf", "");
+        INFO(text);
+        CHECK_THAT(text, Catch::Contains("gravity is 0 N·m, its stiffness 0 N·m/rad"));
+        CHECK(answer.dynamics.gravity_amplitude == 0);
+    }
+}
+
 TEST_CASE("import: what cannot be used is refused by file and line")
 {
     const TemporaryDirectory room;
@@ -195,6 +228,8 @@ TEST_CASE("import: what cannot be used is refused by file and line")
     CHECK_THAT(complaint(room, "half.urdf", replaced(arm_urdf, "<mass value=\"2\"/>", "")),
                Catch::Contains("half.urdf:4") && Catch::Contains("of link \"upper\" needs <mass>"));
     CHECK_THAT(complaint(room, "cut.urdf", std::string(arm_urdf).substr(0, 400)), Catch::Contains("is no XML"));
+    CHECK_THAT(complaint(room, "free.xml", replaced(arm_mjcf, "<joint name=\"elbow\" ref=\"30\"/>", "<freejoint/>")),
+               Catch::Contains("free.xml:9") && Catch::Contains("expected it in a body of <worldbody> only"));
     CHECK_THAT(complaint(room, "other.xml", "<sdf/>"), Catch::Contains("<sdf>"));
     CHECK_THAT(
         complaint(room, "mesh.xml", "<mujoco><worldbody><body><joint/><geom mesh=\"m\"/></body></worldbody></mujoco>"),

@@ -102,11 +102,11 @@ TEST_CASE("syntax errors have a place")
 TEST_CASE("what is wrong with a line is told from the file, whatever the parser's words are")
 {
     const auto twice = [](const std::string& text) {
-        CHECK_THAT(only_error(text), Contains(" stands twice in this file"));
+        CHECK_THAT(only_error(text), Contains(" appears twice in this file"));
     };
     twice(with("k_v = 0", "k_v = 0\nk_v = [\n  1]"));
     twice(with("k_v = 0", "k_v = 0\n[control]"));
-    // a list that has no end, and a table that names one key twice inside: no line of theirs stands twice
+    // a list that has no end, and a table that names one key twice inside: no line of theirs appears twice
     for (const char* other : {"delay = [1,\n2\nk_i = 1", "delay = { kind = 1, kind = 2 }"}) {
         const auto error = only_error(with("k_v = 0", "k_v = 0\n" + std::string(other)));
         CHECK_THAT(error, Contains("not valid TOML") && !Contains("this file") && !Contains("in quotes"));
@@ -114,7 +114,7 @@ TEST_CASE("what is wrong with a line is told from the file, whatever the parser'
 
     const auto said = [](const char* value) { return only_error(with("k_v = 0", std::string("k_v = ") + value)); };
     for (const char* unit : {"1 N·s/m", "1.5 °", "12 %", "1e3N", "-2 µm", "3mm", "1N # newton"})
-        CHECK_THAT(said(unit), Contains("a number with a unit stands in quotes"));
+        CHECK_THAT(said(unit), Contains("a number with a unit is written in quotes"));
     for (const char* no_unit : {"1 2", "\"x\" N", "[1 2]", "= 1"}) CHECK_THAT(said(no_unit), !Contains("in quotes"));
 }
 
@@ -132,6 +132,15 @@ TEST_CASE("unknown keys, with the allowed ones and the nearest")
                StartsWith("joint.toml:5:1: joint.k_v: unknown key") && EndsWith("did you mean \"control.k_v\"?"));
     CHECK_THAT(only_error(good + "[load.cogging]\namplitud = 1\n"),
                StartsWith("joint.toml:18:1: load.cogging.amplitud: ") && EndsWith("\"amplitude\"?"));
+}
+
+TEST_CASE("the spec of a sweep is named as such where a joint is expected")
+{
+    CHECK(only_error(good + "[axes]\n\"control.k_p\" = [1, 2]\n[nonlinear]\nenabled = true\n") ==
+          "joint.toml:17:1: axes: this is the spec of a sweep, expected a joint file: stickslip new joint --from "
+          "joint.toml writes its design point");
+    CHECK(only_error("joint = \"arm.toml\"\n[axes]\n") ==
+          "joint.toml:1:9: joint: this is the spec of a sweep, expected a joint file: the one that it names, arm.toml");
 }
 
 TEST_CASE("keys that belong to another law, model or kind say so")

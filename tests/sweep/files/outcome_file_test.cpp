@@ -87,6 +87,6 @@ TEST_CASE("rows of outcomes that do not do are refused at their place")
     CHECK_THAT(only_error("k_p,V0,outcome\n1,5e4,1,0e-3,0,1\n"), Contains("decimal commas"));
     CHECK_THAT(only_error("k_p,outcome,amplitude\n1e4,1,-2\n"), Contains("amplitude: is -2, expected ≥ 0"));
     CHECK_THAT(only_error("speed,outcome\n1,1\n"), Contains("has no setting of the joint"));
-    CHECK_THAT(only_error("k_p,k_p,outcome\n1,1,1\n"), Contains("stands twice"));
+    CHECK_THAT(only_error("k_p,k_p,outcome\n1,1,1\n"), Contains("appears twice"));
     CHECK_THAT(only_error("k_p,outcome\n"), Contains("has a header and no rows"));
 }

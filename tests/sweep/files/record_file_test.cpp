@@ -9,7 +9,7 @@ using Catch::StartsWith;
 
 TEST_CASE("a plain record, its gaps and its columns that nobody reads")
 {
-    const auto [record, warnings, suspicions, missing, guesses] = read(
+    const auto [record, warnings, suspicions, missing, guesses, no_position] = read(
         "\xef\xbb\xbf# a comment\r\n\r\n \"time\" , position,effort_command,postion2\r\n"
         "0,1.5e-3,-2,x\r\n0.5, +2 ,,y\r\n\r\n1.25,nan,3,z\r\n");
     CHECK(record.name == "run.csv");
@@ -60,7 +60,7 @@ control.k_p = 200
 constants.supply_voltage = 24
 )",
                                                 "record.toml", joint);
-    const auto [record, warnings, suspicions, missing, guesses] = read_record(
+    const auto [record, warnings, suspicions, missing, guesses, no_position] = read_record(
         file("t_ms,angle_deg,velocity,stress_MPa,T\n0,180,60,20,293.15\n2.5,90,30,21,300\n"), joint, layout);
     const double pi = 3.14159265358979323846;
     CHECK(record.time == std::vector<double>{0, 2.5e-3});
@@ -89,7 +89,7 @@ TEST_CASE("a unit may stand in the header behind the name, as in tables of outco
     CHECK_THAT(only_error("time,position [deg],effort_measured\n0,1,2\n"),
                Contains("run.csv:1:1: column \"position [deg]\"") && Contains("expected") && Contains("m"));
     CHECK_THAT(only_error("time,position [furlong],effort_measured\n0,1,2\n"), Contains("furlong"));
-    CHECK_THAT(only_error("time,position,position [mm]\n0,1,2\n"), Contains("position stands twice"));
+    CHECK_THAT(only_error("time,position,position [mm]\n0,1,2\n"), Contains("position appears twice"));
     // the layout names what the column means, whatever stands behind it
     CHECK(read("time,position [counts]\n0,5\n0.01,6\n",
                "[columns]\nposition = { name = \"position [counts]\", scale = 0.5 }\n")
@@ -126,7 +126,7 @@ TEST_CASE("the drive signal is the one that the actuator takes")
 
 TEST_CASE("rows with the motor off are kept and counted")
 {
-    const auto [record, warnings, suspicions, missing, guesses] =
+    const auto [record, warnings, suspicions, missing, guesses, no_position] =
         read("time,position,torque_enable\n0,1,1\n1e-3,2,0\n2e-3,3,0\n");
     CHECK(record.rows() == 3);
     CHECK(warnings.empty());
@@ -217,7 +217,7 @@ TEST_CASE("measured records of others read with a few lines of layout")
     const std::filesystem::path data = folder;
     SECTION("a ball-screw drive: own names, nothing to say")
     {
-        const auto [record, warnings, suspicions, missing, guesses] =
+        const auto [record, warnings, suspicions, missing, guesses, no_position] =
             read_record(data / "emps" / "run.csv.gz", joint_of("prismatic"));
         CHECK(record.rows() == 24841);
         CHECK(record.drive[0] == 2.53863);
@@ -233,7 +233,8 @@ TEST_CASE("measured records of others read with a few lines of layout")
         int files = 0;
         for (const auto& entry : std::filesystem::directory_iterator(data / "xl330")) {
             if (entry.path().extension() != ".gz") continue;
-            const auto [record, warnings, suspicions, missing, guesses] = read_record(entry.path(), joint, layout);
+            const auto [record, warnings, suspicions, missing, guesses, no_position] =
+                read_record(entry.path(), joint, layout);
             INFO(entry.path());
             CHECK(record.rows() > 1000);
             CHECK(record.temperature.size() == record.rows());
@@ -258,7 +259,7 @@ effort_measured = "friction_coefficient"
 normal_load = { name = "normal_stress_MPa", unit = "MPa" }
 )",
                                                     "record.toml", joint);
-        const auto [record, warnings, suspicions, missing, guesses] =
+        const auto [record, warnings, suspicions, missing, guesses, no_position] =
             read_record(data / "basalt" / "velocity-step.csv.gz", joint, layout);
         CHECK(record.rows() == 5849);
         CHECK(record.reference_position[0] == 8503.602e-6);

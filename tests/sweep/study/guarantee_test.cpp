@@ -137,7 +137,7 @@ TEST_CASE("scores of an answer, by hand", "[guarantee]")
 TEST_CASE("a set keeps what its threshold keeps, and what no case can exclude", "[guarantee]")
 {
     const std::vector<std::string> catalogue{"backlash", "compliance", "delay"};
-    Calibration c{.method = "m", .population = "p"};
+    Calibration c{.method = "m", .populations = {"p"}};
     // backlash is given 0.9 in 58 cases and 0.3 in one: its threshold is 0.7
     for (int i = 0; i < 59; ++i) c.cases.push_back(answered("backlash", gap({{"backlash"}}, {i == 7 ? 0.3 : 0.9}), i));
     const auto promise = promise_of(c, 0.95);
@@ -155,7 +155,7 @@ TEST_CASE("a set keeps what its threshold keeps, and what no case can exclude", 
 TEST_CASE("too few of a cause leave a promise over the population; too few in all, none", "[guarantee]")
 {
     const std::vector<std::string> catalogue{"backlash", "compliance", "delay"};
-    Calibration c{.method = "m", .population = "p"};
+    Calibration c{.method = "m", .populations = {"p"}};
     for (int i = 0; i < 58; ++i)
         c.cases.push_back(answered(i % 2 ? "backlash" : "delay",
                                    gap({{"backlash"}, {"delay"}}, {i % 2 ? 0.9 : 0.1, i % 2 ? 0.1 : 0.9}), i));
@@ -186,7 +186,7 @@ TEST_CASE("fresh cases are covered as promised, over the population and for ever
         double size = 0;
         constexpr int calibrations = 200, each = 50;
         for (int i = 0; i < calibrations; ++i) {
-            Calibration c{.method = "m", .population = "p"};
+            Calibration c{.method = "m", .populations = {"p"}};
             for (int k = 0; k < n; ++k) c.cases.push_back(drawn(noise, k));
             const auto promise = promise_of(c, 0.95);
             REQUIRE(promise.kept);
@@ -241,7 +241,7 @@ TEST_CASE("a joint that is unlike the calibration's is told so", "[guarantee]")
 
 TEST_CASE("calibrations survive their file, and shards are one", "[guarantee]")
 {
-    Calibration c{.method = "m", .population = "p", .joint = "j"};
+    Calibration c{.method = "m", .populations = {"seed 12"}, .joint = "j"};
     c.cases = {answered("backlash", gap({{"backlash"}, {"delay", "viscous"}}, {0.7, 0.2}), 0)};
     c.cases[0].place = {.kind = "k", .columns = {"time"}, .noise_documented = true, .records = 1, .duration = 2};
     const auto back = parse_calibration(calibration_json(c));
@@ -251,6 +251,10 @@ TEST_CASE("calibrations survive their file, and shards are one", "[guarantee]")
     other.cases[0].name = "another";
     merge(c, other);
     CHECK(c.cases.size() == 2);
+    CHECK(c.populations == std::vector<std::string>{"seed 12"});
+    other.populations = {"seed 1"};  // whose name is a part of the other's
+    merge(c, other);
+    CHECK(c.population() == "seed 12; seed 1");
     merge(c, other);
     CHECK(c.cases.size() == 2);  // a case counts once
     other.cases[0].answer.probabilities[0] = 0.6;

@@ -2,11 +2,15 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/diagnosis/plant/simulator.h"
+#include "sweep/files/simulators/simulator_text.h"
 #include "sweep/study/export/effect_targets.h"
 #include "sweep/study/export/gap_left.h"
+#include "sweep/study/export/simulator_run.h"
 #include "sweep/study/start/starting_joint.h"
 
+#include <algorithm>
 #include <cmath>
+#include <regex>
 
 using namespace stickslip;
 
@@ -46,6 +50,12 @@ Record record_of(const Joint& joint)
 GapLeft left_of(const Joint& joint, Simulator to)
 {
     return gap_left(joint, to, {}, {record_of(joint)}, in_order);
+}
+
+/// XML's and Python's or YAML's.
+std::string without_comments(const std::string& text)
+{
+    return std::regex_replace(std::regex_replace(text, std::regex("<!--[^]*?-->"), ""), std::regex("#[^\n]*"), "");
 }
 
 }  // namespace
@@ -122,14 +132,69 @@ TEST_CASE("export: every effect is held by each simulator wholly, partly or not 
     }
     CHECK(says("backlash", Simulator::mjcf) == Says::all);
     CHECK(says("compliance", Simulator::mjcf) == Says::all);
-    CHECK(says("compliance", Simulator::isaaclab) == Says::part);
+    for (const auto to : {Simulator::isaaclab, Simulator::ros2_control}) CHECK(says("backlash", to) == Says::nothing);
+    for (const auto to : {Simulator::urdf, Simulator::sdf})
+        CHECK(says("backlash", to) == Says::part);  // without spring
+    for (const auto to : {Simulator::urdf, Simulator::sdf, Simulator::isaaclab, Simulator::ros2_control})
+        CHECK(says("compliance", to) == Says::nothing);
+    CHECK(says("stribeck", Simulator::mjcf) == Says::nothing);
+    CHECK(says("stribeck", Simulator::isaaclab) == Says::part);  // its friction at rest, not the speed
+    CHECK(says("delay", Simulator::isaaclab) == Says::part);     // of the target, not of the feedback
+    for (const auto to : {Simulator::mjcf, Simulator::urdf, Simulator::sdf, Simulator::ros2_control})
+        CHECK(says("delay", to) == Says::nothing);
     CHECK(says("gain-k_i", Simulator::mjcf) == Says::nothing);
     CHECK(says("gain-k_i", Simulator::ros2_control) == Says::all);
     for (const char* effect :
-         {"constant-load", "cogging", "asymmetric-friction", "presliding", "delay", "actuator-lag", "velocity-filter",
+         {"constant-load", "cogging", "asymmetric-friction", "presliding", "actuator-lag", "velocity-filter",
           "quantisation", "sensor-offset", "periodic-disturbance", "load-dependent-friction", "friction-drift"})
         for (const auto& simulator : simulators) {
             INFO(effect << " " << simulator.name);
             CHECK(says(effect, simulator.value) == Says::nothing);
         }
+}
+
+TEST_CASE("export: a simulator holds nothing of an effect where no element follows its size")
+{
+    ExportOptions options;
+    options.timestep = 1e-3;  // MJCF states one, which follows what the joint needs
+    for (const auto& effect : gap::effects()) {
+        const auto targets = targets_of(effect);
+        const EffectEdit edit = usual_edit(effect);
+        for (const auto& simulator : simulators) {
+            INFO(effect.name << " in " << simulator.name);
+            const auto elements = [&](const Joint& joint) {
+                return without_comments(simulator_text(export_joint(joint, simulator.value, options), "elbow"));
+            };
+            const bool follows = elements(edit.edited) != elements(edit.larger);
+            CHECK(follows == (targets[static_cast<std::size_t>(simulator.value)].says != EffectTarget::Says::nothing));
+        }
+    }
+}
+
+TEST_CASE("export: a motor that two hinges keep apart from the link is not joined to it")
+{
+    Joint joint = starting_joint(Model::two_mass, "coulomb-viscous", Motion::revolute);
+    const auto joined = [&](Simulator to) {
+        const auto lost = export_joint(joint, to).not_expressible;
+        return std::ranges::any_of(lost, [](const NotExpressible& n) { return n.key == "joint.motor_inertia"; });
+    };
+    for (const auto to : {Simulator::urdf, Simulator::sdf}) CHECK(joined(to));
+    joint.mechanism.transmission.backlash = 0.01;
+    for (const auto to : {Simulator::urdf, Simulator::sdf}) CHECK_FALSE(joined(to));
+}
+
+TEST_CASE("export: Isaac Lab's targets arrive late by the dead time")
+{
+    Joint joint = damped();
+    const Record record = record_of(joint);
+    const auto run_of = [&](const Joint& of) {
+        ExportOptions options;
+        options.timestep = 1e-3;
+        return run_in_simulator(export_joint(of, Simulator::isaaclab, options), record, 1).position;
+    };
+    const auto prompt = run_of(joint);
+    joint.control.delay = 0.1;
+    const auto late = run_of(joint);
+    // from where the loop has forgotten its start: its slow time constant is k_v/k_p = 0.06 s
+    for (std::size_t k = 1200; k < late.size(); k += 500) CHECK(late[k] == Approx(prompt[k - 100]).margin(1e-9));
 }

@@ -1,4 +1,4 @@
-#include "sweep/words/inertia_text.h"
+#include "sweep/words/robot_description_text.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,14 @@ std::string impossible_inertia_text(const ImpossibleInertia& of)
         "{}: {} has the principal inertias {:.4g}, {:.4g} and {:.4g} kg·m², which no rigid body has: the greatest is "
         "above the sum of the others. It counts as it is written.",
         of.place, of.body, I[0], I[1], I[2]);
+}
+
+std::string beyond_limits_text(const PoseBeyondLimits& of)
+{
+    const auto& j = of.joint;
+    const auto unit = j.kind == RobotJointKind::hinge ? "rad" : "m";
+    return fmt::format("joint \"{}\" is at {:.6g} {}, outside its limits {:.6g} to {:.6g} {} ({})", j.name, of.position,
+                       unit, j.low, j.high, unit, j.place);
 }
 
 }  // namespace stickslip

@@ -20,36 +20,66 @@ using Push = PushOf<double>;
 constexpr double least_resistance =
     0.05;  ///< of a winding that feeds back into a sagging supply, as a share of its own
 
-/// The effort behind dead time and lag. `supply` is the bus voltage of a motor; drive off means an open winding.
+/// What a command makes of a drive as long as it is held, behind dead time and lag: the velocity decides only whether
+/// the motor feeds its current back, and whether the effort is within its limit.
+template <class Real>
+struct HeldDrive {
+    PushOf<Real> driven, feeding;  ///< without the limit; `feeding` of motors only
+    Real volts = 0, duty = 0, k_e = 0, limit = infinity;
+    bool motor = false;
+
+    PushOf<Real> at(const Real& v) const
+    {
+        using std::abs, std::copysign;
+        PushOf<Real> p = driven;
+        if (motor) {
+            const auto feeds_back = (volts - k_e * v) * duty < Real(0.0);
+            p.push = select(feeds_back, feeding.push, driven.push);
+            p.drag = select(feeds_back, feeding.drag, driven.drag);
+        }
+        const Real effort = p.at(v);
+        const auto beyond = limit < abs(effort);
+        p.push = select(beyond, copysign(limit, effort), p.push);
+        p.drag = select(beyond, Real(0.0), p.drag);
+        return p;
+    }
+};
+
+/// `supply` is the bus voltage of a motor; drive off means an open winding.
+template <class Drive, class Real>
+HeldDrive<Real> held_drive(const Drive& a, const Real& command, const Real& supply)
+{
+    using std::abs, std::max, std::min;
+    HeldDrive<Real> d;
+    d.limit = Real(a.limit);
+    d.motor = a.kind == ActuatorKind::dc_motor;
+    if (d.motor) {
+        const auto bus_known = supply <= supply;
+        const bool by_duty = a.signal == DriveSignal::duty;
+        d.duty = by_duty ? command : select(bus_known, command / supply, Real(0.0));
+        d.volts = by_duty ? command * supply : command;
+        d.volts = select(bus_known, min(max(d.volts, -supply), supply), d.volts);
+        d.k_e = Real(a.k_e);
+        // the supply sags by R_b |i|, also where the motor feeds its current back; there the loop keeps some resistance
+        const Real sag = min(abs(d.duty), Real(1.0)) * a.supply_resistance;
+        const Real driven = a.resistance + sag, feeding = max(a.resistance - sag, least_resistance * a.resistance);
+        const Real force = a.effort_gain * a.k_t * d.volts, damping = a.effort_gain * a.k_t * a.k_e;
+        d.driven = {force / driven, damping / driven};
+        d.feeding = {force / feeding, damping / feeding};
+    } else {
+        d.driven.push = a.effort_gain * command;
+        const auto sags = Real(a.sag_effort) < Real(infinity);
+        if (any(sags))  // the supply falls with the effort that remains
+            d.driven.push = select(sags, d.driven.push / (1.0 + abs(d.driven.push) / a.sag_effort), d.driven.push);
+    }
+    return d;
+}
+
+/// The effort behind dead time and lag.
 template <class Drive, class Real>
 PushOf<Real> push_of(const Drive& a, const Real& command, const Real& supply, const Real& v)
 {
-    using std::abs, std::copysign, std::max, std::min;
-    PushOf<Real> p;
-    if (a.kind == ActuatorKind::dc_motor) {
-        const auto bus_known = supply <= supply;
-        const bool by_duty = a.signal == DriveSignal::duty;
-        const Real duty = by_duty ? command : select(bus_known, command / supply, Real(0.0));
-        Real volts = by_duty ? command * supply : command;
-        volts = select(bus_known, min(max(volts, -supply), supply), volts);
-        // the supply sags by R_b |i|, also where the motor feeds its current back; there the loop keeps some resistance
-        const Real sag = min(abs(duty), Real(1.0)) * a.supply_resistance;
-        const auto feeds_back = (volts - a.k_e * v) * duty < Real(0.0);
-        const Real resistance =
-            select(feeds_back, max(a.resistance - sag, least_resistance * a.resistance), a.resistance + sag);
-        p.push = a.effort_gain * a.k_t * volts / resistance;
-        p.drag = a.effort_gain * a.k_t * a.k_e / resistance;
-    } else {
-        p.push = a.effort_gain * command;
-        const auto sags = Real(a.sag_effort) < Real(infinity);
-        if (any(sags))  // the supply falls with the effort that remains
-            p.push = select(sags, p.push / (1.0 + abs(p.push) / a.sag_effort), p.push);
-    }
-    const Real effort = p.at(v);
-    const auto beyond = Real(a.limit) < abs(effort);
-    p.push = select(beyond, copysign(Real(a.limit), effort), p.push);
-    p.drag = select(beyond, Real(0.0), p.drag);
-    return p;
+    return held_drive<Drive, Real>(a, command, supply).at(v);
 }
 inline Push push_of(const Actuator& a, double command, double supply, double v)
 {

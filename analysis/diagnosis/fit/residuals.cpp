@@ -42,23 +42,34 @@ std::size_t residual_count(const Case& c)
     return c.ticks.rows() * (c.effort_sigma > 0 ? 2 : 1);
 }
 
+/// Appends one scaled residual for every row.
+template <class Scaled>
+void append_rows(const Case& c, std::vector<double>& to, Scaled scaled)
+{
+    const std::size_t before = to.size(), size = c.ticks.size();
+    to.resize(before + size);
+    double* next = to.data() + before;
+    const bool all = c.ticks.judged.empty() && !(c.skip_from < c.skip_to);
+    for (std::size_t k = 0; k < size; ++k)
+        if (c.ticks.logged[k]) *next++ = all || c.judged(k) ? scaled(k) : 0;
+    to.resize(static_cast<std::size_t>(next - to.data()));
+}
+
 /// Appends the scaled residuals of one record: position rows, then effort rows.
 void append_residuals(const Case& c, double omega, const Innovation& innovation, std::vector<double>& scaled)
 {
     const double per_floor = 1 / (reading_floor(c, omega) * std::sqrt(noise_amplification(omega, c.row_step)));
     constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
-    for (std::size_t k = 0; k < c.ticks.size(); ++k)
-        if (c.ticks.logged[k]) {
-            const double e = innovation.position[k] * per_floor;
-            scaled.push_back(!c.judged(k) ? 0 : std::isfinite(e) ? std::clamp(e, -far, far) : far);
-        }
+    append_rows(c, scaled, [&](std::size_t k) {
+        const double e = innovation.position[k] * per_floor;
+        return std::isfinite(e) ? std::clamp(e, -far, far) : far;
+    });
     if (!(c.effort_sigma > 0)) return;
     const double per_effort = 1 / effort_floor(c, omega);
-    for (std::size_t k = 0; k < c.ticks.size(); ++k)
-        if (c.ticks.logged[k]) {
-            const double e = innovation.effort[k] * per_effort;
-            scaled.push_back(c.judged(k) && std::isfinite(e) ? std::clamp(e, -far, far) : 0);
-        }
+    append_rows(c, scaled, [&](std::size_t k) {
+        const double e = innovation.effort[k] * per_effort;
+        return std::isfinite(e) ? std::clamp(e, -far, far) : 0;
+    });
 }
 
 /// One place of one question.

@@ -14,8 +14,20 @@ struct Terms {
     bool stribeck = false, asymmetric = false, loaded = false, geared = false, ripple = false, second_ripple = false,
          drifts = false, bristles = false;
     bool remembers = false, ageing = false, lags = false, late = false, plain = false, one_slope = false;
-    double exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
+    int exponent = 0;  ///< of a Stribeck peak: 1 or 2; 0 for others
     bool operator==(const Terms&) const = default;
+};
+
+/// Terms that are told as the program runs, and terms that are known as it is built: then what a time step does not
+/// need is not there.
+struct ToldTerms {
+    Terms has;
+    void tell(const Terms& terms) { has = terms; }
+};
+template <Terms terms>
+struct KnownTerms {
+    static constexpr Terms has = terms;
+    void tell(const Terms&) {}
 };
 
 inline Terms terms_of(const FlatFriction& r)
@@ -30,14 +42,13 @@ inline Terms terms_of(const FlatFriction& r)
     t.plain = r.plain();
     // one level and one slope, in both directions and at all times
     t.one_slope = t.plain && !t.asymmetric && r.bristle_stiffness == 0 && r.lag == 0;
-    t.exponent = t.stribeck && (r.exponent == 1 || r.exponent == 2) ? r.exponent : 0;
+    t.exponent = t.stribeck && (r.exponent == 1 || r.exponent == 2) ? static_cast<int>(r.exponent) : 0;
     return t;
 }
 
 /// The frictions of a pack of bodies.
-template <class P>
-struct FrictionPack : FlatFrictionOf<P> {
-    Terms has;
+template <class P, class HasTerms = ToldTerms>
+struct FrictionPack : FlatFrictionOf<P>, HasTerms {
 };
 
 /// What one body's friction remembers between steps.
@@ -64,22 +75,22 @@ P exp_of(const P& x)
 }
 
 /// The part of a drift that has come by this time. It is slow: a tick holds it.
-template <class P>
-P drifted(const FrictionPack<P>& r, const P& t)
+template <class P, class T>
+P drifted(const FrictionPack<P, T>& r, const P& t)
 {
     return r.drift * -lanes::exponential(-t / r.drift_time).minus_one;
 }
 
 /// ln(|v|/V* + floor), what the memory goes by.
-template <class P>
-P logarithm_of(const P& speed, const FrictionPack<P>& r)
+template <class P, class T>
+P logarithm_of(const P& speed, const FrictionPack<P, T>& r)
 {
     return lanes::logarithm(speed * r.per_V_star + memory_floor);
 }
 
 /// The Stribeck peak's height at this speed.
-template <class P>
-P peak(const FrictionPack<P>& r, const P& speed)
+template <class P, class T>
+P peak(const FrictionPack<P, T>& r, const P& speed)
 {
     constexpr double tiny = 1e-300;  // whose powers vanish beside one
     const P u = speed / r.stribeck_velocity;
@@ -90,16 +101,16 @@ P peak(const FrictionPack<P>& r, const P& speed)
 }
 
 /// What the law resists in steady sliding, in both directions.
-template <class P>
-P steady(const FrictionPack<P>& r, const P& speed)
+template <class P, class T>
+P steady(const FrictionPack<P, T>& r, const P& speed)
 {
     const P level = r.has.stribeck ? r.coulomb + peak(r, speed) : r.coulomb;
     return level + r.viscous * speed;
 }
 
 /// Slope of the friction with the speed of this instant in this direction.
-template <class P>
-P viscous(const FrictionPack<P>& r, const P& direction)
+template <class P, class T>
+P viscous(const FrictionPack<P, T>& r, const P& direction)
 {
     const P slope = r.has.late ? P(0.0) : r.viscous;
     return r.has.asymmetric ? slope + direction * r.asymmetric_viscous : slope;
@@ -107,8 +118,8 @@ P viscous(const FrictionPack<P>& r, const P& direction)
 
 /// The resisting force apart from viscous friction that follows the speed at once, never negative, for motion in
 /// `direction`.
-template <class P>
-P resistance(const FrictionPack<P>& r, const FrictionState<P>& s, const P& speed, const P& direction,
+template <class P, class T>
+P resistance(const FrictionPack<P, T>& r, const FrictionState<P>& s, const P& speed, const P& direction,
              const Surroundings<P>& at)
 {
     P level = r.coulomb;
@@ -129,8 +140,8 @@ P resistance(const FrictionPack<P>& r, const FrictionState<P>& s, const P& speed
 }
 
 /// The memory state after a slip at this mean speed in h, exact for constant speed.
-template <class P>
-P remembered(const FrictionPack<P>& r, const P& theta, const P& speed, const P& h)
+template <class P, class T>
+P remembered(const FrictionPack<P, T>& r, const P& theta, const P& speed, const P& h)
 {
     const P slip = speed * h * r.per_L;
     const auto exponential = [](const P& x) { return exp_of(x); };
@@ -141,17 +152,17 @@ P remembered(const FrictionPack<P>& r, const P& theta, const P& speed, const P& 
 
 /// The level against bodies that leave rest in this step: that of their speed in mid-step, at which a static level has
 /// gone.
-template <class P>
-P leaving_level(const FrictionPack<P>& r, const FrictionState<P>& s, const P& level, const P& direction, const P& force,
-                const P& mobility, const Surroundings<P>& at)
+template <class P, class T>
+P leaving_level(const FrictionPack<P, T>& r, const FrictionState<P>& s, const P& level, const P& direction,
+                const P& force, const P& mobility, const Surroundings<P>& at)
 {
     return resistance(r, s, 0.5 * mobility * max(P(0.0), abs(force) - level), direction, at);
 }
 
 /// The state after sliding at this speed for h: exact for constant speed. It is half a step ahead of the velocity, as
 /// the next step asks for it in its middle.
-template <class P>
-void remember(const FrictionPack<P>& r, FrictionState<P>& s, const P& speed, const P& h)
+template <class P, class T>
+void remember(const FrictionPack<P, T>& r, FrictionState<P>& s, const P& speed, const P& h)
 {
     if (r.has.late) {
         const P force = steady(r, speed);
@@ -164,8 +175,8 @@ void remember(const FrictionPack<P>& r, FrictionState<P>& s, const P& speed, con
 
 /// The state of bodies that have slid at these velocities for long; at rest it is that of sliding at V*, which is what
 /// the law's level means.
-template <class P>
-FrictionState<P> steady_state(const FrictionPack<P>& r, const P& v)
+template <class P, class T>
+FrictionState<P> steady_state(const FrictionPack<P, T>& r, const P& v)
 {
     FrictionState<P> s;
     const P speed = abs(v), zero(0.0);
@@ -181,8 +192,8 @@ FrictionState<P> steady_state(const FrictionPack<P>& r, const P& v)
 }
 
 /// What sliding takes at this velocity in this state, transmitted effort and ripple apart; nothing at rest.
-template <class P>
-P sliding_force(const FrictionPack<P>& r, const FrictionState<P>& s, const P& v)
+template <class P, class T>
+P sliding_force(const FrictionPack<P, T>& r, const FrictionState<P>& s, const P& v)
 {
     const P zero(0.0), direction = copysign(P(1.0), v), speed = abs(v);
     const P force = direction * (resistance(r, s, speed, direction, {zero, zero}) + viscous(r, direction) * speed);
@@ -225,7 +236,8 @@ struct BristleStep {
         mean_per_velocity = 0.5 * h * (1.0 + forgets) * keep;
     }
     /// Velocity in mid-step and after the step.
-    std::pair<P, P> velocities(const FrictionPack<P>& r, const P& z, const P& v, const P& force, const P& slope,
+    template <class T>
+    std::pair<P, P> velocities(const FrictionPack<P, T>& r, const P& z, const P& v, const P& force, const P& slope,
                                const P& mobility, const P& h) const
     {
         const P damping = r.bristle_damping / h;
@@ -240,8 +252,8 @@ struct BristleStep {
 /// Velocity after a step in which the force other than friction is `force` and inverse inertia times step is
 /// `mobility`. Without bristles friction is set-valued at rest: the body stays at rest while |force| is not above the
 /// resistance.
-template <class P>
-P friction_step(const FrictionPack<P>& r, FrictionState<P>& s, const P& v, const P& force, const P& mobility,
+template <class P, class T>
+P friction_step(const FrictionPack<P, T>& r, FrictionState<P>& s, const P& v, const P& force, const P& mobility,
                 const P& h, const Surroundings<P>& at)
 {
     const P zero(0.0);

@@ -8,19 +8,41 @@
 
 namespace stickslip::gap {
 
-/// What the joints of a pack have in common: which way a time step takes is the same in every lane.
-struct Kind {
-    bool two_mass = false, feedback_link = false, has_backlash = false, hardens = false, free = false,
-         dead_time = false, lag = false;
-    bool gravity = false, cogging = false, disturbance = false, sags = false, sensor_delay = false;
+/// What mechanisms of a pack have in common that decides which way a time step takes.
+struct Form {
+    bool two_mass = false, has_backlash = false, hardens = false, free = false;
     Terms motor, link;
+    bool operator==(const Form&) const = default;
+};
+
+/// What else they have in common.
+struct Surround {
+    bool feedback_link = false, dead_time = false, lag = false;
+    bool gravity = false, cogging = false, disturbance = false, sags = false, sensor_delay = false;
     ActuatorKind actuator = ActuatorKind::effort;
     DriveSignal signal = DriveSignal::voltage;
-    bool operator==(const Kind&) const = default;
+    bool operator==(const Surround&) const = default;
 
-    bool drifts() const { return motor.drifts || link.drifts; }
-    /// Whether the drive is one and the same from tick to tick.
-    bool holds() const { return !dead_time && !lag && actuator != ActuatorKind::dc_motor; }
+    /// Whether the same command drives the joint from tick to tick.
+    bool holds() const { return !dead_time && !lag; }
+};
+
+/// What the joints of a pack have in common: which way a time step takes is the same in every lane.
+struct Kind : Form, Surround {
+    using MotorTerms = ToldTerms;
+    using LinkTerms = ToldTerms;
+    bool operator==(const Kind&) const = default;
+};
+
+/// The same of a form that is known as the program is built.
+template <Form form>
+struct KindOf : Surround {
+    static constexpr bool two_mass = form.two_mass, has_backlash = form.has_backlash, hardens = form.hardens,
+                          free = form.free;
+    static constexpr Terms motor = form.motor, link = form.link;
+    using MotorTerms = KnownTerms<form.motor>;
+    using LinkTerms = KnownTerms<form.link>;
+    explicit KindOf(const Kind& kind) : Surround(kind) {}
 };
 
 inline Kind kind_of(const Plant& p)
@@ -64,11 +86,13 @@ struct ActuatorOf {
     P k_t = 0, k_e = 0, resistance = 1, supply_resistance = 0;
 };
 
-template <class P>
+template <class P, class K = Kind>
 struct Joints {
-    Kind kind;
+    explicit Joints(const Kind& told) : kind(told) { motor.tell(told.motor), link.tell(told.link); }
+    K kind;
     P motor_inertia = 1, link_inertia = 1, stiffness = 1, cubic_stiffness = 0, damping = 0, ratio = 1, backlash = 0;
-    FrictionPack<P> motor, link;
+    FrictionPack<P, typename K::MotorTerms> motor;
+    FrictionPack<P, typename K::LinkTerms> link;
     LoadOf<P> load;
     ActuatorOf<P> actuator;
     P position_scale = 1, position_offset = 0, sensor_delay = 0;
@@ -78,8 +102,8 @@ struct Joints {
     void load_lane(int lane, const Plant& p);
 };
 
-template <class P>
-void load_frictions(FrictionPack<P>& to, int lane, const FlatFriction& r)
+template <class P, class T>
+void load_frictions(FrictionPack<P, T>& to, int lane, const FlatFriction& r)
 {
     to.coulomb.set(lane, r.coulomb), to.viscous.set(lane, r.viscous);
     to.stribeck.set(lane, r.stribeck), to.stribeck_velocity.set(lane, r.stribeck_velocity);
@@ -97,14 +121,13 @@ void load_frictions(FrictionPack<P>& to, int lane, const FlatFriction& r)
     to.lag.set(lane, r.lag), to.per_L.set(lane, r.per_L), to.per_V_star.set(lane, r.per_V_star);
 }
 
-template <class P>
-void Joints<P>::load_lane(int lane, const Plant& p)
+template <class P, class K>
+void Joints<P, K>::load_lane(int lane, const Plant& p)
 {
     motor_inertia.set(lane, p.motor_inertia), link_inertia.set(lane, p.link_inertia);
     stiffness.set(lane, p.stiffness), cubic_stiffness.set(lane, p.cubic_stiffness), damping.set(lane, p.damping);
     ratio.set(lane, p.ratio), backlash.set(lane, p.backlash);
     load_frictions(motor, lane, p.motor), load_frictions(link, lane, p.link);
-    motor.has = kind.motor, link.has = kind.link;
     load.constant.set(lane, p.load.constant);
     load.gravity_amplitude.set(lane, p.load.gravity_amplitude), load.gravity_phase.set(lane, p.load.gravity_phase);
     load.cogging.amplitude.set(lane, p.load.cogging.amplitude), load.cogging.periods.set(lane, p.load.cogging.periods);

@@ -13,12 +13,12 @@ enum class Rest { pressed, level };
 
 /// Where readings come late, the motion is that of the moment which is read, so that a reading is compared with what it
 /// shows; the effort that is logged beside it is not late.
-template <class P>
+template <class P, class K = Kind>
 class Mechanics {
   public:
     static constexpr int lanes = P::lanes;
 
-    explicit Mechanics(const Kind& kind) { joints_.kind = kind; }
+    explicit Mechanics(const Kind& kind) : joints_(kind) {}
 
     /// Puts a joint of this kind and its record into a lane, at a tick. They must outlive the lane.
     void load(int lane, const Plant& plant, const Ticks& ticks, std::span<const double> command, std::size_t tick)
@@ -73,7 +73,7 @@ class Mechanics {
             arrived.set(i, (kind().sensor_delay ? l.logged : l.held).mean(t, moment, l.tick));
         }
         if (kind().lag) arrived = kind().sensor_delay ? logged_lagged_ : state_.lagged;
-        return push(arrived).at(state_.motor_velocity);
+        return drive_by(arrived).at(state_.motor_velocity).at(state_.motor_velocity);
     }
 
     /// Every lane by a tick. Flattened: packs passed by memory cost more than what is done with them.
@@ -91,24 +91,36 @@ class Mechanics {
         if (any(tick != length_of_)) divide(tick);
         follow_record(start - joints_.sensor_delay + 0.5 * tick);
         if (changes()) length_ = StepLength<P>(joints_, length_.h);
+        const StepLength<P>& length = length_;
+        State<P> s = state_;  // out of memory, as far as registers go
+        HeldDrive<P> held;
         PushOf<P> drive;
-        if (kind().holds()) drive = push(command());
-        P keep, mean_keep;
+        P arrived(0.0), keep, mean_keep;
+        const bool asked_again = !kind().holds() || kind().actuator == ActuatorKind::dc_motor;
+        if (kind().holds()) held = drive_by(command()), drive = held.at(s.motor_velocity);
         if (kind().lag) {
-            keep = exp_of(-length_.h / lag_);
-            mean_keep = lag_ / length_.h * (1.0 - keep);
+            keep = exp_of(-length.h / lag_);
+            mean_keep = lag_ / length.h * (1.0 - keep);
         }
-        for (int part = 0; part < most_parts_; ++part) {
-            const P t = start + P(part) * length_.h;
-            const bool all = part < fewest_parts_;
-            const State<P> before = all ? State<P>{} : state_;
-            if (!kind().holds()) drive = push(arriving(t, keep, mean_keep));
+        const auto substep = [&](int part) {
+            const P t = start + P(part) * length.h;
+            if (!kind().holds()) {
+                const P now = arriving(s, t, keep, mean_keep);
+                if (part == 0 || any(now != arrived)) arrived = now, held = drive_by(now);
+            }
+            if (asked_again) drive = held.at(s.motor_velocity);
             if (kind().two_mass)
-                step_two_mass(joints_, state_, drive, t - joints_.sensor_delay, length_);
+                step_two_mass(joints_, s, drive, t - joints_.sensor_delay, length);
             else
-                step_single(joints_, state_, drive, t - joints_.sensor_delay, length_);
-            if (!all) keep_done(before, part);
+                step_single(joints_, s, drive, t - joints_.sensor_delay, length);
+        };
+        for (int part = 0; part < fewest_parts_; ++part) substep(part);
+        for (int part = fewest_parts_; part < most_parts_; ++part) {
+            const State<P> before = s;
+            substep(part);
+            keep_done(s, before, part);
         }
+        state_ = s;
         for (auto& l : lane_) l.tick += l.goes;
     }
 
@@ -153,8 +165,8 @@ class Mechanics {
         bool goes = true;
     };
 
-    const Kind& kind() const { return joints_.kind; }
-    bool changes() const { return kind().drifts() || moves_inertia_; }
+    const K& kind() const { return joints_.kind; }
+    bool changes() const { return kind().motor.drifts || kind().link.drifts || moves_inertia_; }
 
     /// Divides ticks of these lengths into substeps.
     void divide(const P& tick)
@@ -208,7 +220,7 @@ class Mechanics {
     }
 
     /// The command that reaches the actuator's coils in the substep from t on.
-    P arriving(const P& t, const P& keep, const P& mean_keep)
+    P arriving(State<P>& s, const P& t, const P& keep, const P& mean_keep)
     {
         P arrived;
         for (int i = 0; i < lanes; ++i) arrived.set(i, lane_[i].held.mean(t[i], length_.h[i], lane_[i].tick));
@@ -218,28 +230,29 @@ class Mechanics {
             for (int i = 0; i < lanes; ++i) at_once.set(i, lane_[i].logged.mean(t[i], length_.h[i], lane_[i].tick));
             logged_lagged_ = at_once + (logged_lagged_ - at_once) * keep;
         }
-        const P gap = state_.lagged - arrived;
-        state_.lagged = arrived + gap * keep;
+        const P gap = s.lagged - arrived;
+        s.lagged = arrived + gap * keep;
         return arrived + gap * mean_keep;
     }
 
-    PushOf<P> push(const P& arrived) const
+    HeldDrive<P> drive_by(const P& arrived) const
     {
         P supply(0.0);
         if (kind().actuator == ActuatorKind::dc_motor)
             for (int i = 0; i < lanes; ++i) supply.set(i, lane_[i].ticks->supply[lane_[i].tick]);
-        PushOf<P> p = push_of(joints_.actuator, arrived, supply, state_.motor_velocity);
-        if (once_ >= 0 && lane_[once_].ticks->enabled[lane_[once_].tick]) return p;
+        HeldDrive<P> d = held_drive(joints_.actuator, arrived, supply);
+        if (once_ >= 0 && lane_[once_].ticks->enabled[lane_[once_].tick]) return d;
         for (int i = 0; i < lanes; ++i)
-            if (!lane_[i].ticks->enabled[lane_[i].tick]) p.push.set(i, 0), p.drag.set(i, 0);
-        return p;
+            if (!lane_[i].ticks->enabled[lane_[i].tick])
+                for (auto* p : {&d.driven, &d.feeding}) p->push.set(i, 0), p->drag.set(i, 0);
+        return d;
     }
 
     /// Takes this substep back in lanes that have fewer.
-    void keep_done(const State<P>& before, int part)
+    void keep_done(State<P>& s, const State<P>& before, int part) const
     {
         const typename P::MaskType done = parts_ <= P(part);
-        each_number(state_, before, [&](P& now, const P& then) { now = select(done, then, now); });
+        each_number(s, before, [&](P& now, const P& then) { now = select(done, then, now); });
     }
     template <class F>
     static void each_number(State<P>& a, const State<P>& b, F f)
@@ -255,7 +268,7 @@ class Mechanics {
         f(a.link.speed, b.link.speed), f(a.link.force, b.link.force);
     }
 
-    Joints<P> joints_;  ///< with the levels of friction, the load and the inertia of this tick
+    Joints<P, K> joints_;  ///< with the levels of friction, the load and the inertia of this tick
     State<P> state_;
     Lane lane_[lanes];
     P logged_lagged_ = 0, motor_level_ = 0, link_level_ = 0, lag_ = 1;
@@ -268,8 +281,8 @@ class Mechanics {
     bool same_command_ = false;
 };
 
-template <class P>
-void Mechanics<P>::start(int lane, double velocity, Rest rest, double beyond)
+template <class P, class K>
+void Mechanics<P, K>::start(int lane, double velocity, Rest rest, double beyond)
 {
     const Lane& l = lane_[lane];
     const Plant& p = *l.plant;

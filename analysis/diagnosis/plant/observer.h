@@ -4,7 +4,7 @@
 
 namespace stickslip::gap {
 
-template <class P>
+template <class P, class K = Kind>
 class Observer {
   public:
     explicit Observer(const Kind& kind) : mechanics_(kind) {}
@@ -113,7 +113,7 @@ class Observer {
         }
     }
 
-    Mechanics<P> mechanics_;
+    Mechanics<P, K> mechanics_;
     const Run* run_[lanes]{};
     bool goes_[lanes]{};
     bool common_ = false;
@@ -121,5 +121,27 @@ class Observer {
     P since_ = 0, omega_ = 0, longest_ = 0;
     bool asks_more_ = false, asks_effort_ = false;
 };
+
+/// Friction of one level and one slope, which most joints have.
+inline constexpr Terms plain_friction{.plain = true, .one_slope = true};
+inline constexpr Form one_mass{.motor = plain_friction, .link = plain_friction};
+inline constexpr Form two_masses{.two_mass = true, .motor = plain_friction, .link = plain_friction};
+inline constexpr Form with_backlash{
+    .two_mass = true, .has_backlash = true, .motor = plain_friction, .link = plain_friction};
+
+/// Takes runs through in lanes of this kind, by a time step that has nothing but what they need where it was built.
+template <class P>
+void through(std::span<const Run> runs, const Kind& kind)
+{
+    const auto known = [&]<Form form>() {
+        if (!(static_cast<const Form&>(kind) == form)) return false;
+        Observer<P, KindOf<form>>(kind).through(runs);
+        return true;
+    };
+    if (known.template operator()<one_mass>() || known.template operator()<two_masses>() ||
+        known.template operator()<with_backlash>())
+        return;
+    Observer<P>(kind).through(runs);
+}
 
 }  // namespace stickslip::gap

@@ -5,9 +5,9 @@ namespace stickslip::gap {
 void run_avx2(std::span<const Run> runs, const Kind& kind)
 {
     if (runs.size() > 4)
-        Observer<lanes::Pack<4, 2>>(kind).through(runs);
+        through<lanes::Pack<4, 2>>(runs, kind);
     else
-        Observer<lanes::Pack<4, 1>>(kind).through(runs);
+        through<lanes::Pack<4, 1>>(runs, kind);
 }
 
 }  // namespace stickslip::gap

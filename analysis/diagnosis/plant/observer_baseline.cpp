@@ -4,12 +4,12 @@ namespace stickslip::gap {
 
 void run_baseline(std::span<const Run> runs, const Kind& kind)
 {
-    Observer<lanes::Pack<2, 2>>(kind).through(runs);
+    through<lanes::Pack<2, 2>>(runs, kind);
 }
 
 void run_single(std::span<const Run> runs, const Kind& kind)
 {
-    Observer<lanes::Pack<1, 1>>(kind).through(runs);
+    through<lanes::Pack<1, 1>>(runs, kind);
 }
 
 }  // namespace stickslip::gap

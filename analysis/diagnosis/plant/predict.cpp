@@ -1,3 +1,4 @@
+#include "analysis/diagnosis/plant/helpers.h"
 #include "analysis/diagnosis/plant/runs.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/simulation/lanes/job.h"
@@ -49,22 +50,54 @@ void go_together(std::span<const Run> runs, const Kind& kind)
         run_baseline(runs, kind);
 }
 
-void go(std::vector<Batch>& batches)
+/// Runs of one kind that go together.
+struct Together {
+    const Kind* kind;
+    std::vector<Run> runs;
+};
+
+std::vector<Together> packs_of(std::vector<Batch>& batches)
 {
+    std::vector<Together> packs;
     for (auto& [kind, all] : batches) {
         // what takes longest first, so that lanes end together
         std::stable_sort(all.begin(), all.end(), [](const Divided& a, const Divided& b) {
             return a.parts != b.parts ? a.parts > b.parts : a.run.to - a.run.from > b.run.to - b.run.from;
         });
-        std::vector<Run> runs;
+        bool full = true;
         for (std::size_t i = 0; i < all.size(); ++i) {
+            if (full) packs.push_back({&kind, {}});
+            auto& runs = packs.back().runs;
             runs.push_back(all[i].run);
             // a lane that would be empty costs nothing, even where it waits for others that need more substeps
-            if (i + 1 < all.size() && (runs.size() % most_lanes != 0 || falls_free_early(all[i], all[i + 1]))) continue;
-            go_together(runs, kind);
-            runs.clear();
+            full = i + 1 < all.size() && runs.size() % most_lanes == 0 && !falls_free_early(all[i], all[i + 1]);
         }
     }
+    return packs;
+}
+
+/// Two packs of one: where two native vectors make a pack, half of it takes half the time.
+void halve(std::vector<Together>& packs)
+{
+    constexpr std::size_t half = most_lanes / 2;
+    auto& runs = packs[0].runs;
+    if (runs.size() <= half || runs.size() > most_lanes) return;
+    const auto middle = runs.begin() + static_cast<std::ptrdiff_t>((runs.size() + 1) / 2);
+    Together second{packs[0].kind, {middle, runs.end()}};
+    runs.erase(middle, runs.end());
+    packs.push_back(std::move(second));
+}
+
+void go(std::vector<Batch>& batches)
+{
+    auto packs = packs_of(batches);
+    const ParallelFor* helpers = Helpers::of_this_thread();
+    if (helpers && packs.size() == 1 && lanes::best_instructions() != lanes::Instructions::avx512) halve(packs);
+    const auto take = [&](std::size_t i) { go_together(packs[i].runs, *packs[i].kind); };
+    if (helpers && packs.size() > 1)
+        (*helpers)(packs.size(), take);
+    else
+        for (std::size_t i = 0; i < packs.size(); ++i) take(i);
 }
 
 /// Whether the record leaves open how its link rests before it moves.

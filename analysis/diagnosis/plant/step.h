@@ -27,7 +27,8 @@ struct StepLength {
     P ahead = 0, left = 0, per_force = 0;
     SlidingStep<P> motor, link;
     StepLength() {}
-    StepLength(const Joints<P>& p, const P& step)
+    template <class K>
+    StepLength(const Joints<P, K>& p, const P& step)
         : h(step), per_h(P(1.0) / step), motor_mobility(step / p.motor_inertia)
     {
         if (!p.kind.two_mass) return;
@@ -44,8 +45,8 @@ struct StepLength {
 };
 
 /// All that pushes the link from outside.
-template <class P>
-P outside_force(const Joints<P>& p, State<P>& s, const P& q, const P& v, const P& t)
+template <class P, class K>
+P outside_force(const Joints<P, K>& p, State<P>& s, const P& q, const P& v, const P& t)
 {
     P force = load_force(p.load, q, t);
     if (!p.kind.free) return force;
@@ -60,12 +61,12 @@ P outside_force(const Joints<P>& p, State<P>& s, const P& q, const P& v, const P
 
 /// Single mass. Constant forces, sliding, stopping and breaking away inside the step are exact; the rest is second
 /// order.
-template <class P>
-void step_single(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
+template <class P, class K>
+void step_single(const Joints<P, K>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
 {
     const P h = length.h, mobility = length.motor_mobility, zero(0.0), one(1.0);
     const P v = s.motor_velocity, middle = s.motor_position + 0.5 * h * v;
-    const FrictionPack<P>& r = p.motor;
+    const auto& r = p.motor;
     const P outside = outside_force(p, s, middle, v, t + 0.5 * h), force = drive.push + outside;
     const Surroundings<P> at{middle, drive.at(v), -outside, force - drive.drag * v};
     if (r.has.bristles) {
@@ -111,8 +112,8 @@ P beyond_backlash(const P& deflection, const P& backlash)
 }
 
 /// What the spring gives, its damper apart.
-template <class P>
-P elastic(const Joints<P>& p, const P& stretch)
+template <class P, class K>
+P elastic(const Joints<P, K>& p, const P& stretch)
 {
     if (!p.kind.hardens) return p.stiffness * stretch;
     return (p.stiffness + p.cubic_stiffness * stretch * stretch) * stretch;
@@ -120,8 +121,8 @@ P elastic(const Joints<P>& p, const P& stretch)
 
 /// Two masses and a spring. The damper is implicit, so that a stiff one stays stable; what else drives the masses apart
 /// is taken from the last step, without which a resting spring would hold less than its deflection says.
-template <class P>
-void step_two_mass(const Joints<P>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
+template <class P, class K>
+void step_two_mass(const Joints<P, K>& p, State<P>& s, const PushOf<P>& drive, const P& t, const StepLength<P>& length)
 {
     const P h = length.h, per_ratio = length.per_ratio, zero(0.0);
     const P motor_middle = s.motor_position + 0.5 * h * s.motor_velocity;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <mutex>
 
 namespace stickslip::gap {
 namespace {
@@ -30,6 +32,26 @@ const Usual& usual_of(DiagnosisStage stage)
     return *std::ranges::find(usual, stage, &Usual::stage);
 }
 
+/// A round in which threads that have no task left help with the predictions of the others. What a task throws is
+/// thrown when all have ended: what is shared may be interrupted, and the threads of a caller need not carry that.
+void run_helped(const ParallelFor& run, std::size_t n, const std::function<void(std::size_t)>& task)
+{
+    Unbegun unbegun{n};
+    std::exception_ptr thrown;
+    std::mutex throwing;
+    run(n, [&](std::size_t i) {
+        --unbegun;
+        const Helpers helpers(run, &unbegun);
+        try {
+            task(i);
+        } catch (...) {
+            const std::lock_guard lock(throwing);
+            if (!thrown) thrown = std::current_exception();
+        }
+    });
+    if (thrown) std::rethrow_exception(thrown);
+}
+
 /// Tells threads apart; what they are is none of this floor's business.
 const void* this_thread()
 {
@@ -56,7 +78,7 @@ void StageMeter::begin(DiagnosisStage stage)
 
 void StageMeter::run(std::size_t n, const std::function<void(std::size_t)>& task)
 {
-    if (running_.exchange(true)) return run_(n, task);  // a task's own tasks
+    if (running_.exchange(true)) return run_helped(run_, n, task);  // a task's own tasks
     struct End {
         std::atomic<bool>& running;
         ~End() { running = false; }
@@ -64,7 +86,7 @@ void StageMeter::run(std::size_t n, const std::function<void(std::size_t)>& task
     const double from = done_, to = from + (end_ - from) / usual_of(stage_).rounds;
     const void* caller = this_thread();
     std::atomic<std::size_t> finished{0};
-    run_(n, [&](std::size_t i) {
+    run_helped(run_, n, [&](std::size_t i) {
         task(i);
         ++finished;
         if (this_thread() != caller) return;

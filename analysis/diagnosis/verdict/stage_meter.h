@@ -1,6 +1,7 @@
 // How much of a diagnosis lies behind, also within a stage.
 #pragma once
 #include "analysis/base/parallel_for.h"
+#include "analysis/diagnosis/plant/helpers.h"
 #include "analysis/results/diagnosis_stage.h"
 
 #include <atomic>
@@ -15,7 +16,7 @@ double begins_at(DiagnosisStage stage);
 class StageMeter {
   public:
     /// Both have to outlive it.
-    StageMeter(const ParallelFor& run, const StageProgress& tell) : run_(run), tell_(tell) {}
+    StageMeter(const ParallelFor& run, const StageProgress& tell) : run_(run), tell_(tell), between_rounds_(run) {}
 
     void begin(DiagnosisStage stage);
     /// One round of tasks. Told from the calling thread only.
@@ -24,6 +25,7 @@ class StageMeter {
   private:
     const ParallelFor& run_;
     const StageProgress& tell_;
+    const Helpers between_rounds_;
     DiagnosisStage stage_ = DiagnosisStage::reading;
     double done_ = 0, end_ = 0;
     std::atomic<bool> running_{false};

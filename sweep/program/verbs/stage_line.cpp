@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 namespace stickslip {
@@ -65,7 +66,13 @@ StageProgress StageLine::listener(std::string about)
 
 ParallelFor StageLine::counted(ParallelFor run)
 {
-    return [this, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
+    const auto counting = std::make_shared<std::atomic<bool>>(false);
+    return [this, counting, run = std::move(run)](std::size_t n, const std::function<void(std::size_t)>& task) {
+        if (counting->exchange(true)) return run(n, task);  // what a task shares with others is no task
+        struct End {
+            std::atomic<bool>& counting;
+            ~End() { counting = false; }
+        } end{*counting};
         finished_ = 0;
         tasks_ = n;
         run(n, [&](std::size_t i) {

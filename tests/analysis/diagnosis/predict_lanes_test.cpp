@@ -1,4 +1,5 @@
-#include "analysis/diagnosis/plant/runs.h"
+#include "analysis/diagnosis/plant/helpers.h"
+#include "analysis/diagnosis/plant/observer.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "analysis/simulation/lanes/instructions.h"
 
@@ -98,6 +99,69 @@ TEST_CASE("a prediction has the same bits alone, among others and on every instr
             CHECK(same_bits(alone.velocity, other->velocity));
             CHECK(same_bits(alone.predicted_effort, other->predicted_effort));
         }
+    }
+}
+
+TEST_CASE("a form that is known as the program is built has the bits of one that is told", "[gap][lanes]")
+{
+    using One = lanes::Pack<1, 1>;
+    Ticks ticks = some_ticks(400, 1.2, 0.3);
+    for (auto& v : ticks.supply) v = 20;
+    for (const int terms : {0, 5, 6, 10, 11})
+        for (const bool motor : {false, true}) {
+            CAPTURE(terms, motor);
+            Plant plant = some_plant(terms);
+            plant.backlash = terms == 11 ? 1e-3 : 0;
+            if (motor) {
+                plant.actuator.kind = ActuatorKind::dc_motor;
+                plant.actuator.k_t = plant.actuator.k_e = 0.4, plant.actuator.resistance = 0.5;
+                plant.actuator.supply_resistance = 0.1, plant.actuator.limit = 0.7;
+                if (terms == 10) plant.dead_time = 1.3e-3;
+            }
+            const Kind kind = kind_of(plant, ticks);
+            const Form known[] = {one_mass, two_masses, with_backlash};
+            CHECK(std::count(std::begin(known), std::end(known), static_cast<const Form&>(kind)) == 1);
+            std::vector<double> told(ticks.size()), built(ticks.size());
+            Run run{&plant,        &ticks, ticks.command, 50,      0,       ticks.size(),
+                    Rest::pressed, 0.1,    told.data(),   nullptr, nullptr, nullptr};
+            Observer<One>(kind).through({&run, 1});
+            run.position = built.data();
+            through<One>({&run, 1}, kind);
+            CHECK(same_bits(told, built));
+        }
+}
+
+TEST_CASE("threads without a task help with the predictions of others, which changes none", "[gap][lanes]")
+{
+    const Ticks ticks = some_ticks(500, 1.2, 0.3);
+    std::size_t shared = 0;
+    const ParallelFor backwards = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
+        ++shared;
+        for (std::size_t i = n; i-- > 0;) task(i);
+    };
+    for (const std::size_t count : {1u, 4u, 8u, 21u}) {
+        CAPTURE(count);
+        std::vector<Innovation> alone(count), helped(count);
+        std::vector<Prediction> all;
+        for (std::size_t i = 0; i < count; ++i) {
+            Plant plant = some_plant(10);
+            plant.motor.viscous += 0.01 * static_cast<double>(i);
+            all.push_back({plant, &ticks, ticks.command, 50, &alone[i]});
+        }
+        Unbegun unbegun{1};
+        {
+            const Helpers helpers(backwards, &unbegun);
+            predict_all(all);  // the others still have work
+            CHECK(shared == 0);
+            unbegun = 0;
+            for (std::size_t i = 0; i < count; ++i) all[i].out = &helped[i];
+            predict_all(all);
+            CHECK((shared > 0) ==
+                  (count == 21 || (count == 8 && lanes::best_instructions() != lanes::Instructions::avx512)));
+        }
+        CHECK(Helpers::of_this_thread() == nullptr);
+        shared = 0;
+        for (std::size_t i = 0; i < count; ++i) CHECK(same_bits(alone[i].position, helped[i].position));
     }
 }
 

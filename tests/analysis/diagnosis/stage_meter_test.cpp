@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 
 using namespace stickslip;
@@ -43,4 +44,30 @@ TEST_CASE("the tasks of a task are counted with it, and other threads tell nothi
     meter.run(2, [&](std::size_t) { meter.run(3, [&](std::size_t) { ++done; }); });
     CHECK(done == 6);
     CHECK(told == 2);
+}
+
+TEST_CASE("threads help each other once the last task of a round has begun, and between rounds", "[gap]")
+{
+    const ParallelFor run = test::in_order;
+    const StageProgress tell = [](DiagnosisStage, double) {};
+    {
+        StageMeter meter(run, tell);
+        CHECK(Helpers::of_this_thread() == &run);
+        std::vector<bool> helped;
+        meter.run(3, [&](std::size_t) { helped.push_back(Helpers::of_this_thread() == &run); });
+        CHECK(helped == std::vector<bool>{false, false, true});
+        CHECK(Helpers::of_this_thread() == &run);
+    }
+    CHECK(Helpers::of_this_thread() == nullptr);
+}
+
+TEST_CASE("what a task throws is thrown when its round has ended", "[gap]")
+{
+    const ParallelFor run = test::in_order;
+    const StageProgress tell = [](DiagnosisStage, double) {};
+    StageMeter meter(run, tell);
+    int done = 0;
+    const auto task = [&](std::size_t i) { i == 0 ? throw std::runtime_error("of the first") : void(++done); };
+    CHECK_THROWS_WITH(meter.run(3, task), "of the first");
+    CHECK(done == 2);
 }

@@ -84,9 +84,8 @@ struct Score {
 /// Judges every case that has a truth; a case without an answer counts as wrong.
 Score score(const std::map<std::string, Answer>& answers, const std::map<std::string, Truth>& truths);
 
-/// Reads answers.json, with or without its format: {case: {verdict, effects: [name or [names] by rank], gap_before,
-/// gap_after, probabilities?, ambiguous_with?}}. Throws std::invalid_argument with the case's name if something is not
-/// of that form.
+/// Reads answers.json: {case: {verdict, effects: [name or [names] by rank], gap_before, gap_after, probabilities?,
+/// ambiguous_with?}}. Throws std::invalid_argument with the case's name if something is not of that form.
 std::map<std::string, Answer> parse_answers(const std::string& json);
 /// Reads what the generators write. Throws as parse_answers does.
 std::map<std::string, Truth> parse_truths(const std::string& json);

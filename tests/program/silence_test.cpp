@@ -105,7 +105,7 @@ TEST_CASE("blind that is interrupted answers no case with half a diagnosis", "[p
     INFO(run.output);
     CHECK(run.exit_code == 3);
     CHECK_THAT(run.output, Contains("interrupted: 0 of 2 cases"));
-    CHECK(nlohmann::json::parse(program::read(answers)) == nlohmann::json({{"format", "stickslip-answers/1"}}));
+    CHECK(nlohmann::json::parse(program::read(answers)).empty());
 }
 
 TEST_CASE("blind reads the truth before it works", "[program][silence]")

@@ -25,11 +25,12 @@ bool every_last_cause(const Ladder& ladder, const std::function<bool(std::size_t
     return true;
 }
 
-/// What part of its chance the last of several rungs keeps beside what the ladder leaves.
+/// What part of its chance the last of several rungs keeps beside what the ladder leaves. A number that is only freed
+/// from the bound of its correction had taken nearly all before.
 double part_kept(const JudgedLadder& j)
 {
     const auto& rungs = j.ladder.rungs;
-    if (j.noise_left || rungs.size() < 2) return 1;
+    if (j.noise_left || rungs.size() < 2 || frees_held_number(j.ladder)) return 1;
     const double taken = std::max(0.0, part_taken(rungs[rungs.size() - 2], rungs.back())), left = 1 - taken;
     const double enough = policy::taken_of_rest * left;
     return taken < enough ? taken / enough : 1;

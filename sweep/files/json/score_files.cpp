@@ -46,7 +46,6 @@ std::map<std::string, T> parse_cases(const std::string& text, const char* what, 
     }
     if (!json.is_object()) throw std::invalid_argument(fmt::format("{}: expected an object of cases", what));
     for (const auto& [name, j] : json.items()) {
-        if (name == "format") continue;
         try {
             all[name] = read(j);
         } catch (const nlohmann::json::exception& e) {

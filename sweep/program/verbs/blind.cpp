@@ -62,8 +62,6 @@ std::vector<fs::path> cases_of(const fs::path& directory)
     for (const auto& entry : fs::directory_iterator(directory))
         if (fs::exists(entry.path() / "joint.toml")) cases.push_back(entry.path());
     std::sort(cases.begin(), cases.end());
-    if (fs::exists(directory / "format" / "joint.toml"))
-        throw BadInput(directory.string() + ": holds a case called format, as a field of answers.json is; rename it");
     if (cases.empty()) throw BadInput(directory.string() + ": holds no case (a folder with joint.toml and records)");
     return cases;
 }
@@ -178,7 +176,7 @@ int run_cases(const Options& options, Invocation& invocation)
     std::map<pid_t, Running> running;
     std::map<std::string, Json> answers;
     std::size_t next = 0;
-    while ((next < cases.size() && !invocation.interrupted) || !running.empty()) {
+    while (next < cases.size() || !running.empty()) {
         while (next < cases.size() && static_cast<int>(running.size()) < std::max(1, options.jobs) &&
                !invocation.interrupted) {
             const auto name = cases[next].filename().string();
@@ -190,6 +188,7 @@ int run_cases(const Options& options, Invocation& invocation)
             }
             ++next;
         }
+        if (running.empty() && invocation.interrupted) break;
         if (running.empty()) continue;
         const auto [done, cut_short] = next_done(running, options.timeout, invocation.interrupted);
         if (done < 0) break;
@@ -205,9 +204,10 @@ int run_cases(const Options& options, Invocation& invocation)
         fs::remove_all(root / name);
     }
     fs::remove_all(root);
-    Json all = {{"format", "stickslip-answers/1"}};
+    Json all = Json::object();
     for (auto& [name, answer] : answers) all[name] = answer;
-    const fs::path file(options.answers.empty() ? options.directory + "/answers.json" : options.answers);
+    const fs::path file =
+        options.answers.empty() ? fs::path(options.directory) / "answers.json" : fs::path(options.answers);
     write_whole(file, all.dump(2) + "\n");
     for (const auto& [name, answer] : answers)
         if (answer["verdict"] == "failed") say("{} failed: {}\n", name, answer.value("log", std::string("no log")));

@@ -130,8 +130,8 @@ TEST_CASE("the explained share is a part of the squares of the gap, and may be o
 
 TEST_CASE("answers are read with names, sets or objects of names, and errors name the case", "[score]")
 {
-    const auto answers = parse_answers(
-        R"({"format": "stickslip-answers/1", "x": {"verdict": "gap", "effects": ["viscous", ["delay", "inertia"], {"names": ["backlash"]}],
+    const auto answers =
+        parse_answers(R"({"x": {"verdict": "gap", "effects": ["viscous", ["delay", "inertia"], {"names": ["backlash"]}],
         "probabilities": [0.7, 0.2], "ambiguous_with": [["gravity"]], "gap_before": 3, "gap_after": 1.5}, "y": {"verdict": "no-gap", "gap_before": null}})");
     const auto& x = answers.at("x");
     CHECK(x.ranked == std::vector<EffectSet>{{"viscous"}, {"delay", "inertia"}, {"backlash"}});

@@ -146,6 +146,7 @@ TEST_CASE("threads without a task help with the predictions of others, which cha
         for (std::size_t i = 0; i < count; ++i) {
             Plant plant = some_plant(10);
             plant.motor.viscous += 0.01 * static_cast<double>(i);
+            plant.load.constant = 0;  // else predictions of both ways to rest come first
             all.push_back({plant, &ticks, ticks.command, 50, &alone[i]});
         }
         Unbegun unbegun{1};

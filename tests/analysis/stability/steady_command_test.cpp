@@ -1,7 +1,9 @@
 // What the controller has to ask for in steady sliding, and how far the joint is behind for it.
 #include "analysis/joint/drive.h"
 #include "analysis/stability/effort_limits.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
 #include <random>

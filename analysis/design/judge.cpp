@@ -2,6 +2,7 @@
 
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/numerics/root.h"
+#include "analysis/stability/effort_limits.h"
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
 
@@ -29,7 +30,8 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     damping_unit_ = 1e-4 * range_.k_v.high;
     const auto steady = steady_sliding(joint);
     velocity_ = steady.velocity;
-    steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant);
+    steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant) +
+                     std::abs(joint.load.gravity_amplitude) + warming(joint);
     if (loop_kind(joint) != LoopKind::ideal)
         effort_gain_ = std::abs(actuation(joint, velocity_, stickslip::steady_effort(joint, velocity_)).gain);
     const bool counts = theory != Curve::Kind::velocity_only && !linear_joint(joint, velocity_).rational();

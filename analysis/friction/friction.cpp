@@ -148,10 +148,9 @@ double static_force(const Friction& friction)
 std::string Friction::problem() const
 {
     const bool static_law = static_parts(law, 1).has_value();
-    const std::string given =
-        " needs a static law (coulomb-viscous, kinetic-static or stribeck), got " + std::string(info(law).name);
-    if (has_bristle() && !static_law) return "bristle" + given;
-    if (has_lag() && !static_law) return "memory.lag" + given;
+    if ((has_bristle() || has_lag()) && !static_law)
+        return std::string(has_bristle() ? "bristle" : "memory.lag") +
+               " needs a static law (coulomb-viscous, kinetic-static or stribeck), got " + std::string(info(law).name);
     if (stickslip::states(*this) > max_states)
         return "the law and its memory have more than " + std::to_string(max_states) + " states";
     return "";

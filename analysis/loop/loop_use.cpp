@@ -1,6 +1,7 @@
 #include "analysis/loop/loop_use.h"
 
 #include "analysis/joint/steady_output.h"
+#include "analysis/loop/felt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,30 +31,6 @@ LoopKind loop_kind(const Joint& joint)
 }
 
 namespace {
-
-/// Of an effect beside which another counts for nothing.
-constexpr double nothing_beside = 0.01;
-
-/// Whether a push by the position error adds to the slopes of the loop at V_0. Beside a jump there is no slope.
-bool push_is_felt(const Joint& joint)
-{
-    const auto& f = joint.control.feed_forward;
-    const auto [k_p, k_v, k_i] = gains_of(joint.control);
-    const double V0 = joint.control.V0;
-    const double damping = std::abs(f.coulomb) * f.direction(V0).slope;
-    const double left = std::abs(f.coulomb) * f.fade(V0, V0 < 0 ? -1 : 1).value;
-    return !(damping < nothing_beside * std::abs(k_v)) || !(left < nothing_beside * std::abs(k_p) * f.coulomb_width);
-}
-
-/// Whether the dither's own velocity is noticed beside V_0.
-bool dither_is_felt(const Joint& joint)
-{
-    const auto& m = joint.mechanism;
-    const auto& d = joint.control.dither;
-    const double inertia = m.model == Model::single_mass ? m.inertia : m.motor_inertia;
-    const double velocity = std::abs(joint.actuator.effort_gain) * d.amplitude / (inertia * d.frequency);
-    return !(velocity < nothing_beside * std::abs(joint.control.V0));
-}
 
 /// Collects what a loop uses and what it cannot.
 struct Collector {
@@ -98,6 +75,10 @@ void take_controller(Collector& c, const Joint& joint)
         c.leave(estimate.tau > 0, "control.velocity_estimate.tau", WhyNot::no_feedback, false);
         c.leave(estimate.average > 1, "control.velocity_estimate.average", WhyNot::no_feedback, false);
     }
+    const bool by_force = control.kind == ControlKind::force;
+    c.leave(by_force && is_set(control.force_rate) && is_set(control.V0), "control.V0", WhyNot::overruled, false);
+    c.leave(!by_force && is_set(control.force_rate), "control.force_rate", WhyNot::other_kind, false);
+    c.leave(!by_force && control.force_gain != 0, "control.force_gain", WhyNot::other_kind, false);
     c.leave(!control.reference_velocity, "control.reference_velocity", WhyNot::reference_only, false);
     c.leave(f.velocity != 1 || f.acceleration != 0 || (f.coulomb != 0 && !f.fed_back()), "control.feed_forward",
             WhyNot::reference_only, false);
@@ -130,13 +111,6 @@ void take_drive(Collector& c, const Joint& joint)
     c.leave(s.position_offset != 0, "sensor.position_offset", WhyNot::reference_only, false);
 }
 
-/// Whether a force of this slope per displacement is more than a hundredth of the loop's own stiffness.
-bool noticed(const Joint& joint, double slope)
-{
-    constexpr double share = 0.01;
-    return std::abs(slope) > share * std::abs(gains_of(joint.control).k_p);
-}
-
 /// Of one body, which turns `ratio` times as far as the joint.
 void leave_friction(Collector& c, const Joint& joint, const Friction& f, const std::string& table, double ratio)
 {
@@ -150,7 +124,8 @@ void leave_surroundings(Collector& c, const Joint& joint)
     const auto& m = joint.mechanism;
     c.leave(l.gravity_amplitude != 0, "load.gravity_amplitude", WhyNot::place, noticed(joint, l.gravity_amplitude));
     c.leave(l.cogging.acts(), "load.cogging", WhyNot::place, noticed(joint, l.cogging.steepest()));
-    c.leave(l.disturbance.amplitude != 0, "load.disturbance", WhyNot::time, false);
+    c.leave(l.disturbance.amplitude != 0, "load.disturbance", WhyNot::time,
+            l.disturbance.amplitude != 0 && disturbance_is_felt(joint));
     const bool chain = m.model == Model::three_mass || m.model == Model::lever;
     if (m.model == Model::single_mass) {
         leave_friction(c, joint, joint.friction, "friction", 1);

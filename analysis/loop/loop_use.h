@@ -25,16 +25,18 @@ enum class WhyNot {
     reference_only,  ///< it acts on the reference alone and moves no root
     load_direction,  ///< friction of a gear, with a kink where the effort at the load changes its sign
     fed_back,        ///< a push by the side of the set point, of which the linear theory has no term
-    unsupported      ///< this loop has no evaluation with such friction
+    unsupported,     ///< this loop has no evaluation with such friction
+    overruled,       ///< another key says the same and goes before it
+    other_kind       ///< of a kind of control that the joint does not have
 };
 
 /// As JSON calls it.
 constexpr std::string_view name_of(WhyNot why)
 {
-    constexpr std::string_view names[] = {"small-signal",   "rounding",     "place",       "time",
-                                          "backlash",       "needs-period", "no-feedback", "reference-only",
-                                          "load-direction", "fed-back",     "unsupported"};
-    static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::unsupported) + 1);
+    constexpr std::string_view names[] = {"small-signal", "rounding",    "place",          "time",           "backlash",
+                                          "needs-period", "no-feedback", "reference-only", "load-direction", "fed-back",
+                                          "unsupported",  "overruled",   "other-kind"};
+    static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::other_kind) + 1);
     return names[static_cast<std::size_t>(why)];
 }
 

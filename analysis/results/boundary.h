@@ -26,6 +26,12 @@ inline constexpr BoundaryKind boundary_kinds[] = {BoundaryKind::velocity_only, B
 /// "velocity-only", "linear", "v-min", "fold", "outcome", "hunting".
 std::string_view name_of(BoundaryKind kind);
 
+/// Of a kind that the linear theory decides.
+constexpr bool is_linear(BoundaryKind kind)
+{
+    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome && kind != BoundaryKind::hunting;
+}
+
 /// How a point was located.
 enum class LocationMethod {
     interpolation,  ///< bracketed root of a continuous measure

@@ -38,7 +38,7 @@ struct GainDesign {
     /// least. Its cost is NaN or infinite where the objective is no number for any gains.
     GainChoice best;
     double margin_reach = missing;   ///< margins are looked for up to here; that much means: at least that much
-    double steady_effort = missing;  ///< what steady sliding takes without any noise
+    double steady_effort = missing;  ///< what steady sliding takes at most without any noise, gravity included
     std::vector<RequirementReport> requirements;
     std::vector<GainChoice> front;     ///< least cost for each margin, ascending; the other requirements met
     bool velocity_only_found = false;  ///< whether velocity-only thinking finds gains at all

@@ -44,7 +44,7 @@ constexpr Column table[] = {
     coded<&PointResult::reason>(
         "reason", "why a value is missing",
         "none no_velocity law_needs_motion no_steady_state not_finite linear_only not_converged "
-        "solver_failed unsupported neutral diverges limit_too_low"),
+        "solver_failed unsupported neutral diverges limit_too_low impossible"),
     coded<&PointResult::outcome>(
         "outcome", "what the nonlinear joint does after the stated disturbance",
         "not_asked stable-sliding stick-slip limit-cycle reversal period-n irregular undecided "

@@ -112,11 +112,37 @@ double beyond_sliding(const Joint& joint, double velocity)
 
 }  // namespace
 
+double warming(const Joint& joint)
+{
+    const Chain chain = chain_of(joint);
+    double more = 0;
+    for (int i = 0; i < chain.bodies; ++i)
+        more += chain.body[i].ratio * std::max(0.0, chain.body[i].friction->drift.change);
+    return joint.mechanism.model == Model::single_mass ? more / (1 - joint.friction.load_coefficient) : more;
+}
+
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
 {
     if (joint.control.kind == ControlKind::force) return std::nullopt;
-    auto low = below(joint, steady_effort(joint, velocity), velocity);
-    if (low) low->velocity = velocity, low->friction = steady_sliding(joint).friction;
+    const double pull = std::abs(joint.load.gravity_amplitude), warmed = warming(joint);
+    std::optional<LowLimit> low;
+    const auto take = [&](double cold) {
+        for (const double effort : {cold, cold + std::copysign(warmed, velocity)}) {
+            const auto there = below(joint, effort, velocity);
+            if (there && !(low && low->needed >= there->needed)) low = there;
+        }
+    };
+    take(steady_effort(joint, velocity));
+    if (pull > 0) {
+        Joint pulled = joint;
+        for (const double side : {-pull, pull}) {
+            pulled.load.constant = joint.load.constant + side;
+            take(steady_effort(pulled, velocity));
+        }
+    }
+    if (!low) return low;
+    low->velocity = velocity, low->friction = steady_sliding(joint).friction;
+    low->load = joint.load.constant, low->gravity = pull, low->warming = warmed;
     return low;
 }
 

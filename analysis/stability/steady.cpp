@@ -1,5 +1,6 @@
 #include "analysis/stability/steady.h"
 
+#include "analysis/joint/rules.h"
 #include "analysis/joint/steady_output.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/linear_joint.h"
@@ -46,6 +47,10 @@ SteadySliding steady_sliding(const Joint& joint)
 {
     SteadySliding s;
     s.velocity = commanded_velocity(joint);
+    if (!obeys_rules(joint)) {
+        s.reason = Reason::impossible;
+        return s;
+    }
     if (!is_set(s.velocity)) {
         s.reason = Reason::no_velocity;
         return s;

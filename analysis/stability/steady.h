@@ -1,11 +1,9 @@
 // Steady sliding of a joint at its commanded velocity.
 #pragma once
+#include "analysis/joint/commanded_velocity.h"
 #include "analysis/stability/verdict.h"
 
 namespace stickslip {
-
-/// V_0: control.V0, or force_rate / (k_p + k_c) where force control ramps at a given rate. NaN if neither is set.
-double commanded_velocity(const Joint& joint);
 
 /// The friction of all bodies in joint coordinates, Σ N f_ss(N V_0), and the deflection of the loop that carries it, or
 /// the reason why the joint cannot slide steadily at V_0.

@@ -5,6 +5,7 @@
 #include "analysis/results/boundary.h"
 #include "analysis/results/set_point.h"
 #include "sweep/study/hunting_field.h"
+#include "sweep/study/idle_axes.h"
 #include "sweep/study/left_out_loop.h"
 #include "sweep/study/meetings.h"
 
@@ -25,6 +26,7 @@ struct BoundaryAnswer {
     std::string title, command;
     Joint design;
     LoopUse loop;                              ///< of the linear verdicts
+    std::vector<IdleAxis> idle = {};           ///< axes of linear boundaries that no linear verdict depends on
     std::optional<LeftOutLoop> left_out = {};  ///< with --ideal-loop
     Region region = Region::undecided;         ///< of the design; bistable where a ray or a chart says so
     std::vector<LocatedRay> rays;

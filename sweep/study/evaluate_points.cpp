@@ -1,6 +1,5 @@
 #include "sweep/study/evaluate_points.h"
 
-#include "analysis/joint/parameters.h"
 #include "analysis/simulation/lanes/batch.h"
 #include "analysis/simulation/lanes/stribeck_batch.h"
 #include "analysis/simulation/lanes/ticked_batch.h"
@@ -37,6 +36,15 @@ void evaluate_nonlinear(PointCursor& cursor, std::span<PointResult> rows, const 
     nonlinear_points(joints, options, rows);
 }
 
+/// Lanes follow whatever they are given, and neighbours on the map answer for what lies between them.
+PointResult no_such_joint()
+{
+    PointResult row;
+    row.reason = Reason::impossible;
+    row.outcome = Outcome::undecided;
+    return row;
+}
+
 }  // namespace
 
 NonlinearOptions nonlinear_options(const NonlinearSpec& spec)
@@ -57,37 +65,15 @@ bool is_dense(const NonlinearSpec& spec, const std::vector<Axis>& axes)
 EvaluateChunk evaluator(const NonlinearSpec& spec, const std::vector<Axis>& axes)
 {
     if (!spec.enabled) return point_by_point([](const Joint& joint) { return linear_point(joint); });
-    if (is_dense(spec, axes)) return dense_evaluator(nonlinear_options(spec), spec.interpolation, axes);
-    return [options = nonlinear_options(spec)](PointCursor& cursor, std::span<PointResult> rows) {
+    EvaluateChunk evaluate = [options = nonlinear_options(spec)](PointCursor& cursor, std::span<PointResult> rows) {
         evaluate_nonlinear(cursor, rows, options);
     };
-}
-
-std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes)
-{
-    std::vector<std::string> idle;
-    for (const auto& axis : axes) {
-        const auto varied = [&](double value) {
-            Joint other = joint;
-            *find_parameter(other, axis.path) = value;
-            return other;
-        };
-        const auto answer = [&](double value) { return linear_point(varied(value)); };
-        const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-        const auto first = answer(axis.values.front());
-        const auto unchanged = [&](double value) {
-            const auto now = answer(value);
-            return now.reason == first.reason && same(now.spectral_abscissa, first.spectral_abscissa) &&
-                   same(now.k_v_min, first.k_v_min) && same(now.k_cr, first.k_cr);
-        };
-        // neutral sliding stays neutral with its frequency changed
-        const auto spectrum_at = [&](double value) { return linear_verdict(varied(value)).state_variable.eigenvalues; };
-        const bool answers = first.reason == Reason::none;  // or else that is told, and no axis is idle
-        if (axis.values.size() > 1 && answers && unchanged(axis.values[axis.values.size() / 2]) &&
-            unchanged(axis.values.back()) && spectrum_at(axis.values.front()) == spectrum_at(axis.values.back()))
-            idle.push_back(axis.path);
-    }
-    return idle;
+    if (is_dense(spec, axes)) evaluate = dense_evaluator(nonlinear_options(spec), spec.interpolation, axes);
+    return [evaluate](PointCursor& cursor, std::span<PointResult> rows) {
+        evaluate(cursor, rows);
+        for (auto& row : rows)
+            if (row.reason == Reason::impossible) row = no_such_joint();
+    };
 }
 
 std::string evaluation_text(const NonlinearSpec& spec, const std::vector<Axis>& axes)

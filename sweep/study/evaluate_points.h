@@ -20,10 +20,6 @@ bool is_dense(const NonlinearSpec& spec, const std::vector<Axis>& axes);
 /// Rows of a chunk: linear verdicts, and nonlinear outcomes where the spec asks for them. The axes must outlive it.
 EvaluateChunk evaluator(const NonlinearSpec& spec, const std::vector<Axis>& axes);
 
-/// Axes along which no linear answer changes at this joint, tried at their ends and in the middle: a dead time, say, is
-/// a term of records that the continuous loop of the maps leaves out. Paths, in the order of the axes.
-std::vector<std::string> idle_axes(const Joint& joint, const std::vector<Axis>& axes);
-
 /// Canonical text of everything that the evaluation depends on besides the joint; goes into the plan's id.
 std::string evaluation_text(const NonlinearSpec& spec, const std::vector<Axis>& axes);
 

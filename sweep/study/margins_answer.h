@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/loop/loop_use.h"
+#include "sweep/study/idle_axes.h"
 #include "sweep/study/left_out_loop.h"
 #include "sweep/study/samples.h"
 
@@ -46,6 +47,7 @@ struct MarginsAnswer {
     std::optional<std::size_t> shortest_alone;  ///< of `alone`: which has the shortest way to its boundary
     Uncertainty uncertainty;
     std::optional<WorstCase> worst;
+    std::vector<IdleAxis> idle = {};  ///< uncertain parameters and axes that no linear verdict depends on
     std::optional<FollowedBoundary> nominal, robust;  ///< over two axes
     std::optional<RobustSet> robust_set;              ///< only for a page with `robust` and `nominal`
     std::optional<GrowthByParameter> growth;          ///< only for a page, and where a parameter has a boundary

@@ -69,6 +69,7 @@ SweepAnswer answer_sweep(const Spec& spec, const SweepSummary& summary)
     for (const auto& [name, value] : summary.provenance)
         if (name == "plan_id") answer.plan_id = value;
     answer.design = answer_design(spec, joint);
+    answer.idle = idle_axes(joint, spec.axes);
     for (const auto& axis : spec.axes) answer.margins.push_back(margin_along(joint, axis));
     for (const auto& slice : summary.slices) answer.maps.push_back(answer_map(joint, slice));
     if (summary.multiples) answer.panels = answer_panels(joint, *summary.multiples);

@@ -1,6 +1,7 @@
 // Everything that a sweep is answered with beside its points (results.nc): what answer.json holds and what its page is
 // drawn from, without a solver.
 #pragma once
+#include "sweep/study/idle_axes.h"
 #include "sweep/study/joint_answer.h"
 #include "sweep/study/left_out_loop.h"
 #include "sweep/study/map_answer.h"
@@ -28,6 +29,7 @@ struct SweepAnswer {
     std::vector<ProfileAnswer> profiles;
     std::vector<GainSurface> surfaces;
     std::optional<LeftOut> left_out;  ///< with --ideal-loop
+    std::vector<IdleAxis> idle;       ///< axes that no linear answer at the design depends on
 };
 
 /// Whether a stored answer has as many charts, layers, panels and profiles as its sweep.

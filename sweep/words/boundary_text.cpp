@@ -1,6 +1,7 @@
 #include "sweep/words/boundary_text.h"
 
 #include "analysis/results/text.h"
+#include "sweep/words/idle_text.h"
 #include "sweep/words/reason_text.h"
 
 #include <fmt/format.h>
@@ -99,7 +100,7 @@ std::string could_be_missed(const FollowedBoundary& c)
     return text;
 }
 
-std::string ray_text(const Joint& design, const LocatedRay& ray)
+std::string ray_text(const Joint& design, const LocatedRay& ray, const std::vector<IdleAxis>& idle)
 {
     // the boundary along the velocity has a name of its own
     std::string kind =
@@ -111,6 +112,9 @@ std::string ray_text(const Joint& design, const LocatedRay& ray)
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +
                (ray.reason == Reason::none ? "." : ". At the first point: " + reason_text(ray.reason) + ".");
+    if (const auto* same = is_linear(ray.kind) ? idle_axis(idle, ray.axis.path) : nullptr; same && ray.points.empty())
+        return "No " + kind + " can lie along " + ray.axis.symbol + " within " + range + ": " + idle_words(*same) +
+               (is_left_out(*same) ? ". What it does to sliding is not judged: simulate it." : ".");
     if (ray.points.empty())
         return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
                outside_text(ray, units);

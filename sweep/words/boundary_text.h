@@ -3,8 +3,10 @@
 #include "analysis/joint/joint.h"
 #include "analysis/results/boundary.h"
 #include "analysis/results/report.h"
+#include "sweep/study/idle_axes.h"
 
 #include <string>
+#include <vector>
 
 namespace stickslip {
 
@@ -16,7 +18,7 @@ std::string could_be_missed(const LocatedRay& ray);
 std::string could_be_missed(const FollowedBoundary& curve);
 
 /// What the answer of a ray is, in a sentence, with the nearest boundary outside where there is none inside.
-std::string ray_text(const Joint& design, const LocatedRay& ray);
+std::string ray_text(const Joint& design, const LocatedRay& ray, const std::vector<IdleAxis>& idle = {});
 
 /// What a design of that region does, in a sentence, and how good that is.
 std::string design_words(Region region);

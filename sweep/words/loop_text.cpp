@@ -43,6 +43,10 @@ std::string why_text(WhyNot why)
             return "its friction changes where the effort at the load changes sign, which no linear system has";
         case WhyNot::fed_back:
             return "it follows the position error, and the linear theory has no term for it: the simulation has";
+        case WhyNot::overruled:
+            return "control.force_rate gives the velocity";
+        case WhyNot::other_kind:
+            return "position control has no such term";
         case WhyNot::unsupported:
             return "this loop is not computed with such friction";
     }

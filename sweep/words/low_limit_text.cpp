@@ -6,14 +6,28 @@
 #include "sweep/words/reason_text.h"
 
 namespace stickslip {
+namespace {
+
+constexpr int digits = 6;  ///< a limit just below the friction reads otherwise like it
+
+}  // namespace
 
 std::string low_limit_words(const LowLimit& low, Units units)
 {
-    constexpr int digits = 6;  // a limit just below the friction reads otherwise like it
     return "is " + with_unit(low.allowed, low.quantity, units, digits) +
            ", and steady sliding at V_{0} = " + with_unit(low.velocity, Quantity::velocity, units) + " takes " +
-           with_unit(low.needed, low.quantity, units, digits) + " (friction " +
-           with_unit(low.friction, Quantity::effort, units, digits) + "): there is no steady sliding";
+           with_unit(low.needed, low.quantity, units, digits) + " (" + resistance_words(low, units) +
+           "): there is no steady sliding";
+}
+
+std::string resistance_words(const LowLimit& low, Units units)
+{
+    const auto effort = [&](double value) { return with_unit(value, Quantity::effort, units, digits); };
+    std::string text = "friction " + effort(low.friction);
+    if (low.warming > 0) text += " and up to " + effort(low.warming) + " more by drift";
+    if (low.load != 0) text += ", constant load " + effort(low.load);
+    if (low.gravity != 0) text += ", gravity up to " + effort(low.gravity);
+    return text;
 }
 
 std::string low_limit_text(const Joint& joint)

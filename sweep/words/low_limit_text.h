@@ -12,7 +12,10 @@ namespace stickslip {
 /// behind the key and its place.
 std::string low_limit_words(const LowLimit& low, Units units);
 
-/// The same as a sentence of its own, at the commanded velocity.
+/// "friction 60 N, constant load -200 N, gravity up to 20 N": all that sliding takes an effort against.
+std::string resistance_words(const LowLimit& low, Units units);
+
+/// What low_limit_words() says as a sentence of its own, at the commanded velocity.
 std::string low_limit_text(const Joint& joint);
 
 /// Of a motion that was not simulated.

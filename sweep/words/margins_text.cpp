@@ -3,6 +3,7 @@
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/idle_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/plain_text.h"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -23,6 +25,13 @@ std::string coordinate_text(const Coordinate& c, Units units)
 std::string signed_percent(double share)
 {
     return (share < 0 ? "−" : "+") + plain_number(100 * std::abs(share), 3) + " %";
+}
+
+bool only_idle(const MarginsAnswer& a)
+{
+    const auto& list = a.uncertainty.coordinates;
+    return a.worst && std::all_of(list.begin(), list.end(),
+                                  [&](const Coordinate& c) { return c.less.empty() && idle_axis(a.idle, c.path); });
 }
 
 namespace {
@@ -38,14 +47,21 @@ std::string worst_text(const MarginsAnswer& a)
     for (std::size_t i = 0; i < a.worst->deviations.size(); ++i)
         at += (i ? ", " : "") + coordinate_text(a.uncertainty.coordinates[i], units_of(a.joint)) + " " +
               signed_percent(a.worst->deviations[i]);
+    std::string left_out;
+    for (const auto& axis : a.idle) left_out += (left_out.empty() ? "" : "; ") + idle_words(axis);
+    if (only_idle(a)) return " Nothing is said of " + within + ": " + left_out + ".";
+    if (!left_out.empty()) left_out = " This does not judge everything: " + left_out + ".";
+    if (a.worst->undecided > 0)
+        left_out += " " + counted(a.worst->undecided, "joint") + " of " + std::to_string(a.worst->evaluations) +
+                    " within it had no verdict.";
     const bool box = a.uncertainty.shape == UncertaintyShape::box;
     const double growth = a.worst->instability;
     const std::string off = " With " + within + (box ? "" : " (all together within an ellipsoid)");
-    if (std::isnan(growth)) return off + " the worst joint is undecided.";
+    if (std::isnan(growth)) return off + " the worst joint is undecided." + left_out;
     return off +
            (growth < 0 ? " the joint stays stable; least so at " + at + ", where disturbances still decay at "
                        : " the joint can become unstable: at " + at + " disturbances grow at ") +
-           plain_number(std::abs(growth)) + " 1/s.";
+           plain_number(std::abs(growth)) + " 1/s." + left_out;
 }
 
 }  // namespace
@@ -100,7 +116,7 @@ std::vector<Headline> margins_headlines(const MarginsAnswer& a)
         list.push_back({Tone::neutral, off_text(a.tolerance_each),
                         "in " + uncertain_numbers(a.nearest, units) + " at once cannot reach the boundary (distance " +
                             plain_number(a.nearest.distance) + ")"});
-    if (a.worst && is_set(a.worst->instability))
+    if (a.worst && is_set(a.worst->instability) && !only_idle(a))
         list.push_back({a.worst->instability < 0 ? Tone::good : Tone::bad,
                         with_unit(a.worst->instability, Quantity::rate, units),
                         "max Re s of the worst joint within the stated uncertainty; stable below 0"});

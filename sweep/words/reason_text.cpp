@@ -3,6 +3,8 @@
 
 #include "sweep/words/detail_text.h"
 
+#include <utility>
+
 namespace stickslip {
 
 std::string reason_text(Reason reason)
@@ -32,10 +34,30 @@ std::string reason_text(Reason reason)
         case Reason::limit_too_low:
             return "the effort limit is below the effort that steady sliding needs: the joint cannot slide at this "
                    "velocity";
+        case Reason::impossible:
+            return "there is no such joint: these values together break a rule between keys, which evaluate with --set "
+                   "names";
         case Reason::diverges:
             return "the motion runs away from steady sliding: no spring and no damper holds it back";
     }
     return "unknown";
+}
+
+std::string reason_text(Reason reason, const Joint& joint)
+{
+    if (reason != Reason::unsupported) return reason_text(reason);
+    const auto& f = joint.frictions;
+    const bool single = joint.mechanism.model == Model::single_mass;
+    const std::pair<const Friction*, std::string> bodies[] = {
+        {single ? &joint.friction : &f.motor, single ? "friction" : "friction.motor"},
+        {single ? nullptr : &f.transmission, "friction.transmission"},
+        {single ? nullptr : &f.link, "friction.link"}};
+    for (const auto& [body, table] : bodies) {
+        if (!body || !body->has_bristle()) continue;
+        if (body->has_lag()) return table + ".bristle with " + table + ".memory.lag is not computed";
+        if (body->has_memory()) return table + ".bristle with " + table + ".memory is not computed";
+    }
+    return reason_text(reason);
 }
 
 std::string reason_text(const NonlinearVerdict& verdict)

@@ -22,10 +22,12 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     Table table;
     table.title = "Linear theory at the design point";
     table.columns = {"quantity", "value"};
-    table.rows = {
-        row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
-        row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
-        row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position),
+    table.rows = {row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
+                  row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
+                  row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position)};
+    // without a verdict no gain was searched: an empty set would say that none is stable
+    if (v.steady.reason != Reason::none) return table;
+    const std::vector<std::vector<std::string>> judged = {
         row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
         {"k_{v} required by the velocity-only model", !searched_in_k_v(joint, v.loop) ? "not searched in this loop"
                                                       : v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
@@ -35,6 +37,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
         row("kernel integral ∫g", v.state_variable.kernel_integral, Quantity::damping),
         row("critical position gain k_{cr}", v.state_variable.k_cr, Quantity::position_gain),
         row("spectral abscissa max Re s", v.state_variable.spectral_abscissa, Quantity::rate)};
+    table.rows.insert(table.rows.end(), judged.begin(), judged.end());
     if (v.loop.kind != LoopKind::ideal) table.rows.push_back({"loop", loop_name(v.loop.kind)});
     if (is_set(v.state_variable.gain_margin_db))
         table.rows.push_back({"gain margin", plain_number(v.state_variable.gain_margin_db) + " dB"});
@@ -44,7 +47,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
         table.rows.push_back(
             {"stable k_{p}", searched_in_k_p(joint)
                                  ? intervals_text(v.state_variable.stable_intervals, Quantity::position_gain, units)
-                                 : "not searched: a force loop turns none of its gains alone"});
+                                 : "not searched in this loop: boundary --along control.k_p finds it"});
     else {
         const double omega = v.state_variable.crossings.back().omega;
         table.rows.push_back(row("frequency at the critical gain ω", omega, Quantity::angular_frequency));

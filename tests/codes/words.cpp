@@ -37,7 +37,7 @@ std::string could_be_missed(const FollowedBoundary&)
     return "#could-be-missed-by-curve";
 }
 
-std::string ray_text(const Joint&, const LocatedRay&)
+std::string ray_text(const Joint&, const LocatedRay&, const std::vector<IdleAxis>&)
 {
     return "#ray";
 }
@@ -145,6 +145,11 @@ std::string verdict_text(const Joint&, const LinearVerdict&, bool, bool)
 std::string reason_text(Reason)
 {
     return "#reason";
+}
+
+std::string reason_text(Reason, const Joint&)
+{
+    return "#reason-of-joint";
 }
 
 std::string reason_text(const NonlinearVerdict& verdict)

@@ -16,7 +16,6 @@ COMPUTES = ("boundary/", "design/", "diagnosis/", "loop/", "numerics/", "simulat
 READS = {
     "boundary/trace/coordinates": "the value of a key, or of a group of keys",
     "loop/loop_use": "which loop a joint has, and which of its keys that loop uses",
-    "stability/commanded_velocity": "V0, or what a ramp of force makes of it",
     "stability/effort_limits": "a limit of the joint compared with its friction",
     "stability/linear_joint::chain_of": "which bodies and springs a joint has",
 }

@@ -11,6 +11,7 @@
 #include "analysis/boundary/trace/chart.h"
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/joint/parameters.h"
+#include "analysis/joint/rules.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
@@ -166,6 +167,7 @@ double as_one_task(const BoundaryRequest& request, const std::function<double()>
 
 double hunting_side(const Joint& joint)
 {
+    if (!obeys_rules(joint)) return missing;
     switch (set_point(joint).hunting) {
         case Hunting::yes:
             return 1;
@@ -212,7 +214,7 @@ double side_of(const Joint& joint, const BoundaryRequest& request)
 
 Reason reason_without_side(const Joint& joint, const BoundaryRequest& request)
 {
-    if (request.kind == BoundaryKind::hunting) return Reason::none;
+    if (request.kind == BoundaryKind::hunting) return obeys_rules(joint) ? Reason::none : Reason::impossible;
     const Reason steady = linear_verdict(joint).steady.reason;
     if (steady != Reason::none || request.kind != BoundaryKind::outcome) return steady;
     NonlinearOptions options;

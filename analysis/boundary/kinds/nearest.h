@@ -56,6 +56,7 @@ struct WorstCase {
     double instability = missing;    ///< of the theory, as in analysis/boundary/trace/locate.h
     std::vector<double> deviations;  ///< per coordinate, as a share of its value
     int evaluations = 0;
+    int undecided = 0;  ///< of the joints that were tried, without a verdict
 };
 
 /// Corners (up to six coordinates) or axes first, then NLopt: DIRECT-L if `global`, and SBPLX from the worst found.

@@ -221,11 +221,6 @@ class Ray {
 
 }  // namespace
 
-bool is_linear(BoundaryKind kind)
-{
-    return kind != BoundaryKind::fold && kind != BoundaryKind::outcome && kind != BoundaryKind::hunting;
-}
-
 LocatedRay locate_on_ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request)
 {
     return Ray(joint, axis, request).run();

@@ -4,9 +4,6 @@
 
 namespace stickslip {
 
-/// Of a kind that the linear theory decides.
-bool is_linear(BoundaryKind kind);
-
 /// With a request whose precision, scan and parallel are set. Throws std::invalid_argument for a path that the joint
 /// lacks.
 LocatedRay locate_on_ray(const Joint& joint, const Axis& axis, const BoundaryRequest& request);

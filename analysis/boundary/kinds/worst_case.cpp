@@ -35,7 +35,9 @@ WorstCase worst_case(const Joint& joint, const Uncertainty& uncertainty, Curve::
         Vector q = deviations(z);
         for (std::size_t i = 0; i < n; ++i) q[i] = std::log1p(q[i]) / uncertainty.coordinates[i].scale;
         ++worst.evaluations;
-        return -instability(movable.at(q), theory);
+        const double growth = instability(movable.at(q), theory);
+        if (std::isnan(growth)) ++worst.undecided;
+        return -growth;
     };
     Vector best(n, 0);
     double least = stability(best);

@@ -279,7 +279,9 @@ void LoopInquiry::judge_stated()
     verdict_.cycle = stated;
     if (stated.reason == Reason::not_converged)
         verdict_.detail = stated.cut_short ? Detail::limit_of_work : Detail::limit_of_turns;
-    if (deflection_ > 0) verdict_.overshoot = std::fmax(0, stated.first_peak) / deflection_;
+    // what a small disturbance grows to may be far larger than its first turn
+    if (deflection_ > 0)
+        verdict_.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.cycle_peak)) / deflection_;
     if (neutral_) {
         const bool sticks = stated.oscillates() && stated.stick_fraction > 0;
         if (!sticks) verdict_ = refused(Reason::neutral);

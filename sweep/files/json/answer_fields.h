@@ -70,11 +70,17 @@ void fields(A& a, Like<LeftOut> auto& v)
 }
 
 template <class A>
+void fields(A& a, Like<IdleAxis> auto& v)
+{
+    a("path", v.path), a("why", v.why), a("matters", v.matters);
+}
+
+template <class A>
 void fields(A& a, Like<SweepAnswer> auto& v)
 {
     a("plan_id", v.plan_id), a("spec", v.spec), a("design", v.design), a("margins", v.margins), a("maps", v.maps);
     a("panels", v.panels), a("profiles", v.profiles), a("surfaces", v.surfaces);
-    a("left_out", v.left_out);
+    a("left_out", v.left_out), a("idle", v.idle);
 }
 
 }  // namespace stickslip

@@ -36,7 +36,7 @@ Json point_json(const BoundaryPoint& p)
             {"evaluations", p.evaluations}};
 }
 
-Json ray_json(const Joint& design, const LocatedRay& ray)
+Json ray_json(const Joint& design, const LocatedRay& ray, const std::vector<IdleAxis>& idle)
 {
     Json json = {{"kind", name_of(ray.kind)}, {"axis", axis_json(ray.axis, units_of(design))}};
     json["points"] = Json::array();
@@ -54,7 +54,7 @@ Json ray_json(const Joint& design, const LocatedRay& ray)
     }
     json["could_be_missed"] = could_be_missed(ray);
     json["reason_code"] = code_json(ray.reason);
-    json["answer"] = plain_text(ray_text(design, ray));
+    json["answer"] = plain_text(ray_text(design, ray, idle));
     return json;
 }
 
@@ -108,9 +108,10 @@ nlohmann::ordered_json boundary_json(const BoundaryAnswer& answer)
         if (std::isfinite(*leaf.value)) json["joint"][leaf.path] = *leaf.value;
     json["region"] = code_name("region", static_cast<std::uint8_t>(answer.region));
     json["loop"] = loop_json(answer.loop, answer.left_out);
+    json["idle"] = idle_json(answer.idle);
     if (answer.set_point) json["set_point"] = set_point_json(*answer.set_point);
     json["lines"] = Json::array();
-    for (const auto& ray : answer.rays) json["lines"].push_back(ray_json(answer.design, ray));
+    for (const auto& ray : answer.rays) json["lines"].push_back(ray_json(answer.design, ray, answer.idle));
     json["curves"] = Json::array();
     for (const auto& c : answer.curves) json["curves"].push_back(curve_json(answer.design, c));
     json["meetings"] = Json::array();

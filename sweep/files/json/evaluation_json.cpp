@@ -6,6 +6,7 @@
 #include "sweep/files/json/study_json.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/loop_text.h"
+#include "sweep/words/reason_text.h"
 
 namespace stickslip {
 namespace {
@@ -26,6 +27,8 @@ nlohmann::ordered_json evaluation_json(const JointEvaluation& e, const std::stri
 {
     nlohmann::ordered_json json = {{"format", "stickslip-evaluate/1"}, {"decided", e.answered()}};
     json.update(verdict_json(e.verdict));
+    const auto open = e.verdict.steady.reason;
+    if (open != Reason::none) json["reason"] = reason_text(open, e.joint);
     json["loop"] = loop_json(e.verdict.loop, e.left_out);
     if (e.decided()) json["linear"].update(study_json(*e.study, e.locus));
     if (e.motion) json["linear"]["forced"] = forced_json(e.force, *e.motion);

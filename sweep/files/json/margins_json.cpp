@@ -13,6 +13,7 @@ nlohmann::ordered_json margins_json(const MarginsAnswer& a)
     json["answer"] = plain_text(margins_text(a));
     json["reason_code"] = code_json(a.reason);
     json["loop"] = loop_json(a.loop, a.left_out);
+    json["idle"] = idle_json(a.idle);
     json["nearest"] = nearest_json(a.nearest);
     json["tolerance_each"] = json_number(a.tolerance_each);
     json["alone"] = nlohmann::ordered_json::array();
@@ -30,7 +31,8 @@ nlohmann::ordered_json margins_json(const MarginsAnswer& a)
                               {"stable", a.worst->instability < 0},
                               {"spectral_abscissa", json_number(a.worst->instability)},
                               {"deviations", a.worst->deviations},
-                              {"evaluations", a.worst->evaluations}};
+                              {"evaluations", a.worst->evaluations},
+                              {"undecided", a.worst->undecided}};
     }
     if (a.robust) {
         auto& points = json["robust_boundary"] = nlohmann::ordered_json::array();

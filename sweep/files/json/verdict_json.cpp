@@ -85,6 +85,17 @@ Json loop_json(const LoopUse& loop, const std::optional<LeftOut>& left_out)
     return {{"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}, {"left_out", ideal}};
 }
 
+Json idle_json(const std::vector<IdleAxis>& idle)
+{
+    Json json = Json::array();
+    for (const auto& axis : idle)
+        json.push_back({{"path", axis.path},
+                        {"why", axis.why ? Json(why_text(*axis.why)) : Json(nullptr)},
+                        {"why_code", axis.why ? Json(name_of(*axis.why)) : Json(nullptr)},
+                        {"matters", axis.matters}});
+    return json;
+}
+
 Json intervals_json(const std::vector<Interval>& list)
 {
     Json json = Json::array();

@@ -107,7 +107,12 @@ Uncertainty uncertainty_from(const Joint& joint, const std::vector<std::string>&
         const auto equals = text.find('=');
         if (equals == std::string::npos)
             throw BadInput("--uncertain " + text + ": expected PATH=SHARE such as friction.L=20%");
-        u.coordinates.push_back(coordinate_from(joint, text.substr(0, equals)));
+        auto c = coordinate_from(joint, text.substr(0, equals));
+        for (const auto& other : u.coordinates)
+            if (other.path == c.path && other.less == c.less)
+                throw BadInput("--uncertain: got " + trimmed(text.substr(0, equals)) +
+                               " twice, expected different parameters");
+        u.coordinates.push_back(std::move(c));
         u.share.push_back(share_from(text.substr(equals + 1), "--uncertain " + text));
     }
     return u;

@@ -44,7 +44,9 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
     }
     auto ray = locate_boundaries(answer.design, axes[0], request);
     if (beyond_ray(answer.design, ray)) answer.region = Region::bistable;
-    if (ray.points.empty() && ray.undecided < ray.nodes) ray.outside = nearest_outside(answer.design, ray, request);
+    const bool idle = is_linear(request.kind) && idle_axis(answer.idle, axes[0].path);
+    if (ray.points.empty() && ray.undecided < ray.nodes && !idle)
+        ray.outside = nearest_outside(answer.design, ray, request);
     answer.rays.push_back(std::move(ray));
 }
 
@@ -146,6 +148,7 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     answer.loop = verdict_loop(answer.design);
     for (const auto& question : questions)
         if (question.request.kind == BoundaryKind::hunting) answer.set_point = set_point(answer.design);
+    answer.idle = idle_axes(answer.design, linear_axes(questions));
     const auto start = std::chrono::steady_clock::now();
     answer.region = linear_region(answer.design);
     const std::size_t answered = answer_all(answer, questions, invocation);

@@ -49,7 +49,13 @@ Places places_asked(const Asked& asked, const BoundaryOptions& options)
     Places places;
     const auto add = [&](const std::vector<std::string>& along, const std::vector<std::string>& over,
                          const std::string& along_name, const std::string& over_name) {
-        for (const auto& text : along) places.rays.push_back(axis_from(asked, text, along_name));
+        for (const auto& text : along) {
+            auto axis = axis_from(asked, text, along_name);
+            for (const auto& other : places.rays)
+                if (other.path == axis.path)
+                    throw BadInput(along_name + ": got " + axis.path + " twice, expected different axes");
+            places.rays.push_back(std::move(axis));
+        }
         if (over.empty()) return;
         places.charts.push_back({axis_from(asked, over[0], over_name), axis_from(asked, over[1], over_name)});
         if (places.charts[0][0].path == places.charts[0][1].path)
@@ -85,6 +91,18 @@ void require_velocity(const std::vector<Axis>& axes)
 }
 
 }  // namespace
+
+std::vector<Axis> linear_axes(const std::vector<BoundaryQuestion>& questions)
+{
+    std::vector<Axis> list;
+    for (const auto& [request, axes] : questions) {
+        if (!is_linear(request.kind)) continue;
+        for (const auto& axis : axes)
+            if (std::none_of(list.begin(), list.end(), [&](const Axis& a) { return a.path == axis.path; }))
+                list.push_back(axis);
+    }
+    return list;
+}
 
 std::vector<BoundaryQuestion> boundary_questions(const Asked& asked, const BoundaryOptions& options)
 {

@@ -28,6 +28,9 @@ struct BoundaryQuestion {
 /// [boundary] table, that before the axes and charts of the spec. Throws BadInput.
 std::vector<BoundaryQuestion> boundary_questions(const Asked& asked, const BoundaryOptions& options);
 
+/// Each axis of a linear boundary once.
+std::vector<Axis> linear_axes(const std::vector<BoundaryQuestion>& questions);
+
 /// "position of 0.0001 m", mark-up: what an outcome follows.
 std::string disturbance_text(const Disturbance& disturbance, Units units);
 

@@ -49,6 +49,7 @@ MarginsAnswer answered(const Options& options, const std::string& command)
         answer.uncertainty = uncertainty_from(asked.design, options.uncertain);
         if (options.shape == "ellipsoid") answer.uncertainty.shape = UncertaintyShape::ellipsoid;
         line.stage("the worst joint within the uncertainty");
+        answer.idle = idle_coordinates(asked.design, answer.uncertainty);
         answer.worst = worst_case(asked.design, answer.uncertainty, Curve::Kind::state_variable);
     }
     if (!options.over.empty()) {
@@ -57,6 +58,8 @@ MarginsAnswer answered(const Options& options, const std::string& command)
         const Axis x = axis_from(asked, options.over[0], "--over"), y = axis_from(asked, options.over[1], "--over");
         if (x.path == y.path) throw BadInput("--over: got " + x.path + " twice, expected two different axes");
         if (options.ideal_loop) refuse_left_out(asked.design, {x, y});
+        for (auto& axis : idle_axes(asked.design, {x, y}))
+            if (!idle_axis(answer.idle, axis.path)) answer.idle.push_back(std::move(axis));
         line.stage("the set that is stable for all joints within the uncertainty");
         BoundaryRequest request;
         request.parallel = parallel_for_each;

@@ -22,6 +22,7 @@
 #include "sweep/report/pages/stability_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/evaluate_points.h"
+#include "sweep/words/idle_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/reason_text.h"
@@ -80,8 +81,8 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
 }
 
 /// What came of it, on standard output; `page` is empty where no report was requested.
-void tell(const Options& options, const SweepSummary& summary, const Json& loop, double bound, const RunReport& run,
-          const std::string& answer, const std::filesystem::path& page)
+void tell(const Options& options, const SweepSummary& summary, const Json& loop, const Json& idle, double bound,
+          const RunReport& run, const std::string& answer, const std::filesystem::path& page)
 {
     if (options.json) {
         nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
@@ -91,6 +92,7 @@ void tell(const Options& options, const SweepSummary& summary, const Json& loop,
                                     {"held", summary.held},
                                     {"interpolated", summary.interpolated},
                                     {"loop", loop},
+                                    {"idle", idle},
                                     {"results", absolute(run.results).string()},
                                     {"report", nullptr}};
         if (!page.empty()) json["report"] = absolute(page).string();
@@ -121,8 +123,8 @@ int sweep(const Options& options, Invocation& invocation)
     choose_charts(spec);
     if (!options.spec.empty()) say_no_sliding(options.spec, {}, design_joint(spec));
 
-    for (const auto& path : idle_axes(design_joint(spec), spec.axes))
-        say("note: {} changes no linear answer at the design point; the maps' theory may leave it out\n", path);
+    const auto idle = idle_axes(design_joint(spec), spec.axes);
+    for (const auto& axis : idle) say("note: {}\n", idle_words(axis));
 
     const PlanOptions plan_options = plan_options_of(options, spec);
     const Plan plan = make_plan(spec.joint, spec.axes, plan_options);
@@ -167,7 +169,8 @@ int sweep(const Options& options, Invocation& invocation)
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
-    tell(options, summary, loop_json(verdict.loop, left_out), spec.nonlinear.interpolation, run, answer, page);
+    tell(options, summary, loop_json(verdict.loop, left_out), idle_json(idle), spec.nonlinear.interpolation, run,
+         answer, page);
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 

@@ -6,6 +6,7 @@
 #include "sweep/report/figures/meeting_headlines.h"
 #include "sweep/study/beyond_curves.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/idle_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/set_point_text.h"
 
@@ -167,6 +168,11 @@ Report boundary_report(const BoundaryAnswer& answer)
         report.tone = without_what_matters(design_tone(answer.region), answer.loop);
         report.verdict = design_words(answer.region) + loop_text(answer.loop);
     }
+    if (!set_points_only) tell_idle(answer.idle, false, report);
+    const bool none_judged =
+        !answer.rays.empty() && std::all_of(answer.rays.begin(), answer.rays.end(),
+                                            [](const LocatedRay& ray) { return ray.undecided == ray.nodes; });
+    if (none_judged && answer.curves.empty() && report.tone == Tone::good) report.tone = Tone::warning;
     if (answer.left_out) {
         tell_left_out(*answer.left_out, slides_smoothly(answer.region), report);
         report.verdict = of_ideal_loop(report.verdict);
@@ -175,7 +181,7 @@ Report boundary_report(const BoundaryAnswer& answer)
         if (set_points_only) report.tone = set_point_tone(*answer.set_point);
         report.verdict += (set_points_only ? "" : " ") + set_point_text(*answer.set_point, units);
     }
-    for (const auto& ray : answer.rays) report.verdict += " " + ray_text(design, ray);
+    for (const auto& ray : answer.rays) report.verdict += " " + ray_text(design, ray, answer.idle);
     if (!answer.curves.empty() && !set_points_only) report.verdict += " " + meeting_text(answer.meetings, units);
     for (const auto& chart : answer.charts)
         if (chart.at_rest) report.verdict += " " + hunting_shares_text(*chart.at_rest);

@@ -40,8 +40,18 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
         "grows as 1/V_{0}. On the lower edge none is needed; in a gap none is enough.");
 }
 
-Table comparison_table(const Joint& joint, const LinearStudy& study)
+/// The least velocity gain among those of the figure of V_min with which every velocity was found stable.
+std::string enough_words(const LinearDetails& details, const GainWords& words)
 {
+    double least = infinity;
+    for (const auto& line : details.least_velocities)
+        if (line.here == searched_speeds(details.study).low) least = std::min(least, line.k_v);
+    return least < infinity ? "k_{v} = " + words.damping(least) + " is enough" : "–";
+}
+
+Table comparison_table(const Joint& joint, const LinearDetails& details)
+{
+    const auto& study = details.study;
     const GainWords words{units_of(joint)};
     const auto& c = study.comparison;
     Table table;
@@ -74,7 +84,7 @@ Table comparison_table(const Joint& joint, const LinearStudy& study)
                  words.velocity(study.velocities.high > 0 ? study.velocities.high : study.velocities.low),
              required_text(study.range_gain->stable_k_v, words.units) +
                  " (hardest: " + words.velocity(study.range_gain->velocity) + ")",
-             "–"});
+             enough_words(details, words)});
     if (!std::isnan(study.mix.noise))
         table.rows.push_back(
             {"quietest pair of gains on the boundary (velocity differenced from position)", "–",
@@ -149,7 +159,7 @@ Section comparison_section(const Joint& joint, const LinearDetails& details)
         else if (!chart.lines.empty())
             section.figures.push_back(std::move(slowest));
     }
-    section.tables.push_back(comparison_table(joint, study));
+    section.tables.push_back(comparison_table(joint, details));
     return section;
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/pages/robust_figure.h"
 #include "sweep/words/heading_text.h"
+#include "sweep/words/idle_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 
@@ -57,12 +58,14 @@ Report margins_report(const MarginsAnswer& a)
         gains_text(a.joint) + " · V_{0} = " + with_unit(a.joint.control.V0, Quantity::velocity, units_of(a.joint));
     report.verdict = margins_text(a);
     const bool worst_grows = a.worst && a.worst->instability >= 0,
-               worst_is_open = a.worst && std::isnan(a.worst->instability);
+               worst_is_open = a.worst && (std::isnan(a.worst->instability) || a.worst->undecided > 0);
     report.tone = !a.nearest.decided                 ? Headline::Tone::warning
                   : !a.nearest.stable || worst_grows ? Headline::Tone::bad
                   : worst_is_open                    ? Headline::Tone::warning
                                                      : Headline::Tone::good;
     report.tone = without_what_matters(report.tone, a.loop);
+    tell_idle(a.idle, false, report);
+    if (only_idle(a) && report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
     if (a.left_out) {
         tell_left_out(*a.left_out, a.nearest.stable, report);
         report.verdict = of_ideal_loop(report.verdict);

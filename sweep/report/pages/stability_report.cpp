@@ -10,6 +10,7 @@
 #include "sweep/report/figures/reduction_map.h"
 #include "sweep/report/pages/first_screen.h"
 #include "sweep/report/pages/linear_report.h"
+#include "sweep/words/idle_text.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/nearest_text.h"
 #include "sweep/words/reason_text.h"
@@ -149,6 +150,14 @@ void tell_ideal_loop(const SweepAnswer& answer, Report& report)
     report.verdict = of_ideal_loop(report.verdict);
 }
 
+/// What the verdict on the design does not answer for: another loop, axes without a term, points without a verdict.
+void tell_limits(const Spec& spec, const SweepSummary& summary, const SweepAnswer& answer, Report& report)
+{
+    tell_ideal_loop(answer, report);
+    tell_idle(answer.idle, spec.nonlinear.enabled, report);
+    if (summary.undecided == summary.points && report.tone == Tone::good) report.tone = Tone::warning;
+}
+
 /// A line without a verdict has nothing to draw.
 void add_profiles(const Joint& joint, const SweepSummary& summary, const SweepAnswer& answer, Section& maps)
 {
@@ -176,7 +185,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
     const auto verdict = design_verdict(joint, linear, own.region, rests);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
-    tell_ideal_loop(answer, report);
+    tell_limits(spec, summary, answer, report);
     const auto& margins = answer.margins;
     Section maps{"maps", "Stability maps", "", {}, {}};
     for (std::size_t i = 0; i < summary.slices.size(); ++i)

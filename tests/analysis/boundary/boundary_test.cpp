@@ -380,3 +380,17 @@ TEST_CASE("boundaries whose sides counts of roots tell lie where growth rates pu
         CHECK(ray.points[0].value == Approx(M_PI / 2 / 2000).epsilon(0.02));
     }
 }
+
+TEST_CASE("What the rules of a joint refuse has no side, and their edge is no boundary", "[boundary]")
+{
+    Joint joint = example_joint(6e4, 10, 1e-3);
+    Neighbour n;
+    n.inertia = 0.5, n.coupling = 0.3, n.k_p = 1e4, n.k_v = 100;
+    joint.neighbour.push_back(n);
+    const auto ray = locate_boundaries(joint, axis("neighbour.0.coupling", 0.1, 2), of(BoundaryKind::state_variable));
+    CHECK(ray.points.empty());
+    CHECK(ray.reason == Reason::impossible);
+    // the mass matrix is positive definite below √(1 · 0.5) kg: ln(2/√0.5) of ln(2/0.1) lies above
+    const double beyond = std::log(2 / std::sqrt(0.5)) / std::log(20.0);
+    CHECK(static_cast<double>(ray.undecided) / ray.nodes == Approx(beyond).margin(0.01));
+}

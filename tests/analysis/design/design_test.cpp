@@ -226,3 +226,18 @@ TEST_CASE("requirements that mean nothing are refused", "[design]")
     r.least_velocity = 2e-3;  // twice the commanded one
     CHECK_THROWS_AS(design_gains(joint, r, test::in_order), std::invalid_argument);
 }
+
+TEST_CASE("The peak effort of gains holds gravity where it pulls most", "[design]")
+{
+    Joint joint = example_joint(6e4, 0, 1e-3);
+    joint.mechanism.inertia = 1e-9;
+    joint.load.gravity_amplitude = 20;
+    auto r = noisy(1e-6);
+    r.objective = DesignObjective::effort;
+    r.noise.velocity = 1e3;
+    r.effort_limit = 70;
+    // 60 N of friction and 20 N of gravity: 70 N are not enough, whatever the noise
+    const auto d = design_gains(joint, r, test::in_order);
+    CHECK(d.steady_effort == Approx(80));
+    CHECK_FALSE(d.feasible);
+}

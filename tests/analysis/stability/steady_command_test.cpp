@@ -1,7 +1,9 @@
 // What the controller has to ask for in steady sliding, and how far the joint is behind for it.
 #include "analysis/joint/drive.h"
 #include "analysis/stability/effort_limits.h"
+#include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -59,4 +61,37 @@ TEST_CASE("a load that the loop carries is part of how far the joint is behind",
     joint.load.constant = -49.05;
     CHECK(steady_sliding(joint).deflection == Approx((49.05 - 8.16) / 20e3));
     CHECK(steady_sliding(joint).friction == Approx(-8.16));
+}
+
+TEST_CASE("The limit of the effort has to hold gravity where it pulls most and friction where it is warmest", "[loop]")
+{
+    // 60 N of friction and a pendulum of 20 N: 80 N against it, −60 + … never more to the other side
+    Joint joint = example_joint(60e3, 10, 1e-3);
+    joint.load.gravity_amplitude = 20, joint.load.gravity_phase = 0.3;
+    joint.control.effort_limit = 80.1;
+    CHECK(possible_sliding(joint).reason == Reason::none);
+    joint.control.effort_limit = 79.9;
+    CHECK(possible_sliding(joint).reason == Reason::limit_too_low);
+    auto low = low_limit(joint, 1e-3);
+    REQUIRE(low);
+    CHECK(low->needed == Approx(80));
+    CHECK(low->gravity == 20);
+    // a pull that is larger than the friction brakes on the other side: 200 − 60 N, less than 260 N
+    joint.load.gravity_amplitude = -200;
+    joint.control.effort_limit = 250;
+    low = low_limit(joint, 1e-3);
+    REQUIRE(low);
+    CHECK(low->needed == Approx(260));
+    // 60 N, and 100 N more once it is warm
+    joint.load = {};
+    joint.friction.drift.change = 100;
+    joint.control.effort_limit = 159;
+    low = low_limit(joint, 1e-3);
+    REQUIRE(low);
+    CHECK(low->needed == Approx(160));
+    joint.control.effort_limit = 161;
+    CHECK_FALSE(low_limit(joint, 1e-3));
+    joint.friction.drift.change = -100;
+    joint.control.effort_limit = 61;
+    CHECK_FALSE(low_limit(joint, 1e-3));
 }

@@ -206,3 +206,29 @@ TEST_CASE("a cycle that moves backwards is not said to stick all that time")
     cycle.velocity_min = 0;
     CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking"), "0.4957"));
 }
+
+TEST_CASE("A joint that is not computed has no empty sets of gains, and says which terms stand together", "[report]")
+{
+    Joint joint = samples::single_mass(1);
+    joint.friction.law = CoulombViscous{3, 0};
+    joint.friction.bristle.stiffness = 1e5;
+    joint.friction.memory.B = 1, joint.friction.memory.L = 1e-5, joint.friction.memory.V_star = 1e-3;
+    joint.control.V0 = 1e-3, joint.control.k_p = 1e4;
+    const auto verdict = linear_verdict(joint);
+    REQUIRE(verdict.steady.reason == Reason::unsupported);
+    CHECK(has(verdict_text(joint, verdict), "friction.bristle with friction.memory is not computed"));
+    const auto table = linear_table(joint, verdict);
+    CHECK(cell(table, "stable k_{p}") == "no such row");
+    CHECK(cell(table, "k_{v} required by the velocity-only model") == "no such row");
+}
+
+TEST_CASE("A limit that is too low is told with all that it has to hold", "[report]")
+{
+    Joint joint = samples::single_mass(1);
+    joint.friction.law = CoulombViscous{60, 0};
+    joint.control.V0 = 1e-3, joint.control.k_p = 1e4, joint.control.effort_limit = 100;
+    joint.load.constant = -200;
+    const auto text = verdict_text(joint, linear_verdict(joint));
+    CHECK(has(text, "No steady sliding"));
+    CHECK(has(text, "constant load"));
+}

@@ -175,13 +175,14 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
     LoopEnd end = ended(kind);
     const auto first = turns_.end() - static_cast<std::ptrdiff_t>(std::min(count, turns_.size()));
     double time = 0, rest = 0, low = infinity, high = 0;
-    end.amplitude = 0, end.velocity_min = infinity, end.velocity_max = -infinity;
+    end.amplitude = 0, end.velocity_min = infinity, end.velocity_max = -infinity, end.cycle_peak = -infinity;
     for (auto t = first; t != turns_.end(); ++t) {
         end.amplitude += t->amplitude();
         low = std::min(low, t->amplitude()), high = std::max(high, t->amplitude());
         time += t->period(), rest += t->rest_time;
         end.velocity_min = std::min(end.velocity_min, t->velocity_min);
         end.velocity_max = std::max(end.velocity_max, t->velocity_max);
+        end.cycle_peak = std::max(end.cycle_peak, t->peak(V0_));
         end.reversed |= t->reversed;
     }
     end.velocity_min = or_rest(end.velocity_min, V0_), end.velocity_max = or_rest(end.velocity_max, V0_);

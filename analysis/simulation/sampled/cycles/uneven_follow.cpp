@@ -251,6 +251,7 @@ LoopEnd UnevenFollow::measured(const Stretch& s) const
     end.velocity_max = or_rest(s.outer.velocity_max, o_.V0);
     end.stick_fraction = s.outer.rest_time / time;
     if (jitters) return end;
+    end.cycle_peak = s.outer.peak(o_.V0);
     if (s.rounds >= 2) {
         end.amplitude = s.size(), end.jitter = s.spread();
         end.amplitude_spread = 2 * standard_errors * end.jitter / end.amplitude;

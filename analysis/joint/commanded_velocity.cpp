@@ -1,5 +1,4 @@
-// Apart from the rest of steady.h: what only names a joint needs no friction.
-#include "analysis/stability/steady.h"
+#include "analysis/joint/commanded_velocity.h"
 
 namespace stickslip {
 

@@ -1,0 +1,34 @@
+// Parameters that no linear answer of a joint depends on: along them the linear theory has no boundary to deny.
+#pragma once
+#include "analysis/boundary/kinds/nearest.h"
+#include "analysis/loop/loop_use.h"
+#include "analysis/results/stability_map.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+struct IdleAxis {
+    std::string path;
+    std::optional<WhyNot> why;  ///< why the theory has no term for it; none where it has one that changes nothing here
+    bool matters = false;       ///< somewhere along the axis a verdict without it may be wrong
+};
+
+/// Axes along which no linear answer changes at this joint, tried at their ends and between them wherever there is an
+/// answer. In the order of the axes.
+std::vector<IdleAxis> idle_axes(const Joint& joint, const std::vector<Axis>& axes);
+
+/// The same of uncertain parameters, each within its share. Differences of two parameters are never idle.
+std::vector<IdleAxis> idle_coordinates(const Joint& joint, const Uncertainty& uncertainty);
+
+/// Of a path among them, or nullptr.
+inline const IdleAxis* idle_axis(const std::vector<IdleAxis>& idle, const std::string& path)
+{
+    for (const auto& axis : idle)
+        if (axis.path == path) return &axis;
+    return nullptr;
+}
+
+}  // namespace stickslip

@@ -14,6 +14,18 @@ struct RuleWalk {
     {
         if constexpr (requires { s.problem(); }) obeyed = obeyed && s.problem().empty();
     }
+    /// A form of estimate that nobody stated is a file's concern: no number along an axis brings it about, and joints
+    /// that are built in code have the usual one.
+    void judge(const Control& control)
+    {
+        if (!is_set(control.period) || control.velocity_estimate.form != EstimateForm::unstated) {
+            obeyed = obeyed && control.problem().empty();
+            return;
+        }
+        Control stated = control;
+        stated.velocity_estimate.form = EstimateForm::backward_difference;
+        judge(stated);
+    }
     void number(const Field&, double) {}
     void numbers(const Field&, const NumberList&) {}
     void flag(std::string_view, std::string_view, bool) {}

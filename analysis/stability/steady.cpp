@@ -47,16 +47,13 @@ SteadySliding steady_sliding(const Joint& joint)
 {
     SteadySliding s;
     s.velocity = commanded_velocity(joint);
-    if (!obeys_rules(joint)) {
-        s.reason = Reason::impossible;
-        return s;
-    }
     if (!is_set(s.velocity)) {
         s.reason = Reason::no_velocity;
         return s;
     }
     const Chain chain = chain_of(joint);
     s.reason = coupling_obstacle(joint, chain);
+    if (s.reason == Reason::none && !obeys_rules(joint)) s.reason = Reason::impossible;
     if (s.reason != Reason::none) return s;
     s.friction = 0;
     for (int i = 0; i < chain.bodies; ++i) {

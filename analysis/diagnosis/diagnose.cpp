@@ -7,7 +7,6 @@
 #include "analysis/diagnosis/audit/noisy_rows.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/audit/reading_noise.h"
-#include "analysis/diagnosis/audit/start.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -89,8 +88,7 @@ Prepared audited(const Joint& joint, std::vector<Record> records, Diagnosis& d)
     share_noise(p.cases, joint.sensor, d.notes);
     for (const auto& c : p.cases) p.documented.push_back(c.joint);
     p.audit = audit(p.cases);
-    if (!p.audit.findings.empty())
-        for (auto& c : p.cases) find_integral(c);  // as the controller that it found held it
+    if (!p.audit.findings.empty()) find_integrals(p.cases);  // as the controller that it found held them
     audit_effort(drive, p.cases, p.audit, d.reasons);
     mark_noisy_rows(p.cases);
     describe_data(p.cases, d);  // the audit may take back what was rebuilt between rows

@@ -171,4 +171,9 @@ Case prepare(const Record& stamped, const Joint& nominal, std::vector<Note>& not
     return prepare_with_effort(with_effort_of_current(std::move(record), joint), joint, notes);
 }
 
+void find_integrals(std::vector<Case>& cases)
+{
+    for (auto& c : cases) find_integral(c);
+}
+
 }  // namespace stickslip::gap

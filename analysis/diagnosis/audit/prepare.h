@@ -17,4 +17,7 @@ Case prepare(const Record& record, const Joint& nominal, std::vector<Note>& note
 /// What one of everything means for these cases.
 Scales scales_of(const std::vector<Case>& cases);
 
+/// What the integrals held where the records begin, by the controllers that the cases have now.
+void find_integrals(std::vector<Case>& cases);
+
 }  // namespace stickslip::gap

@@ -1,5 +1,6 @@
 // Friction inside one time step: how hard a body resists, and what is left of its velocity. For packs of bodies
 // (simulation/lanes/pack.h), a single one being a pack of one: each has its numbers, all have the same terms.
+// In one file: one time step of friction, whose level, memory and bristles are parts of one balance.
 #pragma once
 #include "analysis/diagnosis/plant/plant.h"
 #include "analysis/friction/memory_step.h"

@@ -38,7 +38,7 @@ JSON_HEAD = """
 
 A number that does not exist is `null`. `[]` stands for the entries of a list, `*` for a name. The schemas are in `docs/schema`, including
 `sweep-answer.schema.json` for `answer.json` (the input of `stickslip report`) and `drawn-charts.schema.json` for `charts/drawn.json`. Every answer has a
-`format` with a version.
+`format` with a version, except `answers.json`, whose names are those of the cases.
 """
 METHOD = """# Thresholds of the diagnosis
 

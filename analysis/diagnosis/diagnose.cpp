@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 
 namespace stickslip::gap {
 namespace {

@@ -5,6 +5,7 @@
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/real_response.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/warming.h"
 
 #include <algorithm>
 #include <cmath>

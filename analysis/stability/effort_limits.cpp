@@ -4,6 +4,7 @@
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
+#include "analysis/stability/warming.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,15 +113,6 @@ double beyond_sliding(const Joint& joint, double velocity)
 
 }  // namespace
 
-double warming(const Joint& joint)
-{
-    const Chain chain = chain_of(joint);
-    double more = 0;
-    for (int i = 0; i < chain.bodies; ++i)
-        more += chain.body[i].ratio * std::max(0.0, chain.body[i].friction->drift.change);
-    return joint.mechanism.model == Model::single_mass ? more / (1 - joint.friction.load_coefficient) : more;
-}
-
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
 {
     if (joint.control.kind == ControlKind::force) return std::nullopt;
@@ -142,7 +134,6 @@ std::optional<LowLimit> low_limit(const Joint& joint, double velocity)
     }
     if (!low) return low;
     low->velocity = velocity, low->friction = steady_sliding(joint).friction;
-    low->load = joint.load.constant, low->gravity = pull, low->warming = warmed;
     return low;
 }
 

@@ -13,8 +13,7 @@ struct LowLimit {
     std::string_view path;
     Quantity quantity = Quantity::effort;
     double allowed = 0, needed = 0;
-    double velocity = 0, friction = 0;          ///< of the steady sliding that it takes this much for
-    double load = 0, gravity = 0, warming = 0;  ///< what acts besides: constant, at most, and what drift adds at most
+    double velocity = 0, friction = 0;  ///< of the steady sliding that it takes this much for
 };
 
 /// The command for which this actuator makes this effort at a velocity, whatever its limits: an effort, or the voltage
@@ -34,9 +33,6 @@ Joint without_stopped_integral(const Joint& joint);
 /// The joint as small motions about steady sliding at its own velocity meet it: a cascade as its sum of gains, without
 /// a stopped integral.
 Joint acting_joint(const Joint& joint);
-
-/// What friction that drifts takes at most beyond the present one, in joint coordinates: what falls adds nothing.
-double warming(const Joint& joint);
 
 /// At V; nothing where every limit leaves the effort of steady sliding, and of force loops, whose ramp knows no limit.
 /// Sliding that goes on passes every position and outlasts every change: gravity counts where it pulls most, to either

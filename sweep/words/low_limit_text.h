@@ -10,10 +10,7 @@ namespace stickslip {
 
 /// "is 50 N, and steady sliding at V_{0} = 1 mm/s takes 60 N (friction 60 N): there is no steady sliding", to stand
 /// behind the key and its place.
-std::string low_limit_words(const LowLimit& low, Units units);
-
-/// "friction 60 N, constant load -200 N, gravity up to 20 N": all that sliding takes an effort against.
-std::string resistance_words(const LowLimit& low, Units units);
+std::string low_limit_words(const LowLimit& low, const Joint& joint);
 
 /// What low_limit_words() says as a sentence of its own, at the commanded velocity.
 std::string low_limit_text(const Joint& joint);

@@ -5,7 +5,7 @@
 #include "analysis/results/text.h"
 #include "sweep/words/interval_text.h"
 #include "sweep/words/loop_text.h"
-#include "sweep/words/low_limit_text.h"
+#include "sweep/words/resistance_text.h"
 #include "sweep/words/searched_gains.h"
 
 #include <cmath>
@@ -118,9 +118,8 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
     const Units units = units_of(joint);
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
     if (v.steady.reason == Reason::limit_too_low)
-        if (const auto low = low_limit(joint, v.steady.velocity))
-            return "No steady sliding: the effort limit is below what it takes against " +
-                   resistance_words(*low, units) + ".";
+        return "No steady sliding: the effort limit is below what it takes against " +
+               resistance_words(joint, v.steady.friction) + ".";
     if (v.steady.reason != Reason::none)
         return "Undecided at the design point: " + reason_text(v.steady.reason, joint) + ".";
     const auto& memory = v.state_variable;

@@ -17,6 +17,7 @@ READS = {
     "boundary/trace/coordinates": "the value of a key, or of a group of keys",
     "loop/loop_use": "which loop a joint has, and which of its keys that loop uses",
     "stability/effort_limits": "a limit of the joint compared with its friction",
+    "stability/warming": "what drift adds to the friction of a joint",
     "stability/linear_joint::chain_of": "which bodies and springs a joint has",
 }
 

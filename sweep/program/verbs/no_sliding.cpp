@@ -16,8 +16,8 @@ void say_no_sliding(const std::filesystem::path& file, const std::vector<std::st
     const auto low = low_limit(joint, commanded_velocity(joint));
     if (!low) return;
     const auto side = plain_text(side_text(joint, false));
-    say("{}: {}: {}{}\n", stated_place(file, settings, low->path), low->path,
-        plain_text(low_limit_words(*low, units_of(joint))), side.empty() ? "" : ". " + side);
+    say("{}: {}: {}{}\n", stated_place(file, settings, low->path), low->path, plain_text(low_limit_words(*low, joint)),
+        side.empty() ? "" : ". " + side);
 }
 
 }  // namespace stickslip

@@ -75,7 +75,6 @@ TEST_CASE("The limit of the effort has to hold gravity where it pulls most and f
     auto low = low_limit(joint, 1e-3);
     REQUIRE(low);
     CHECK(low->needed == Approx(80));
-    CHECK(low->gravity == 20);
     // a pull that is larger than the friction brakes on the other side: 200 − 60 N, less than 260 N
     joint.load.gravity_amplitude = -200;
     joint.control.effort_limit = 250;

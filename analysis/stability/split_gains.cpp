@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/joint/gains.h"
 #include "analysis/joint/steady_output.h"
+#include "analysis/joint/sum_of_gains.h"
 
 namespace stickslip {
 namespace {
@@ -16,11 +16,8 @@ LoopGains controller_gains(const Joint& joint)
     const auto& c = joint.control;
     if (c.kind == ControlKind::force) return {c.force_gain, 0, 0, 0};
     if (c.structure == Structure::pid) return {c.k_p, c.k_v, c.k_i, 0};
-    const bool sums =
-        c.velocity_estimate.tau == 0 &&
-        (!is_set(c.period) || (c.velocity_estimate.form != EstimateForm::exact && c.velocity_estimate.average == 1));
     const auto gains = gains_of(c);
-    if (sums) return {gains.k_p, gains.k_v, gains.k_i, 0};
+    if (is_sum_of_gains(c)) return {gains.k_p, gains.k_v, gains.k_i, 0};
     return {c.velocity_gain * c.position_gain, c.velocity_gain, gains.k_i, velocity_integral_gain(c)};
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/joint/gains.h"
+#include "analysis/joint/sum_of_gains.h"
 #include "analysis/stability/frequency_search.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/real_response.h"
@@ -75,8 +75,9 @@ bool known_at_one_velocity(const Joint& joint)
 
 LinearStudy linear_study(const Joint& given)
 {
-    const bool cascade = given.control.structure == Structure::cascade;
-    const Joint joint = cascade ? with_gains(given) : given;
+    // a cascade that is no sum of gains has no k_v of its own to turn: what does so is missing
+    const bool turns_gains = is_sum_of_gains(given.control);
+    const Joint joint = turns_gains ? with_gains(given) : given;
     LinearStudy study;
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return study;
@@ -105,14 +106,15 @@ LinearStudy linear_study(const Joint& given)
         const int scan = study.velocities_looked_at = effort ? many_velocities : affordable(usual, joint);
         study.velocity_only = stable_velocities(joint, low, high, Theory::velocity_only, scan);
         study.state_variable = stable_velocities(joint, low, high, Theory::state_variable, scan);
-        study.range_gain =
-            velocity_gain_for_range(joint, back ? low : high, affordable(range_scan(joint, costly), joint));
+        if (turns_gains)
+            study.range_gain =
+                velocity_gain_for_range(joint, back ? low : high, affordable(range_scan(joint, costly), joint));
     }
     study.comparison = compare_theories(joint, gains);
     if (is_set(joint.control.period)) {
         study.velocity_noise = std::sqrt(2.0) / joint.control.period;
-        study.mix_searched = thorough;
-        if (thorough) study.mix = optimal_mix(joint, study.velocity_noise);
+        study.mix_searched = thorough && turns_gains;
+        if (study.mix_searched) study.mix = optimal_mix(joint, study.velocity_noise);
     }
     const double stiffness = joint.control.k_p + joint.control.contact_stiffness;
     if (joint.control.kind == ControlKind::force && stiffness * V > 0 && joint.control.k_p > 0 &&
@@ -124,7 +126,7 @@ LinearStudy linear_study(const Joint& given)
         ramp.state_variable = stable_springs(joint, ramp.rate, k_p / reach, k_p * reach, Theory::state_variable);
         study.ramp = ramp;
     }
-    study.reductions = thorough ? reduction_studies(joint) : named_only(joint);
+    study.reductions = thorough && turns_gains ? reduction_studies(joint) : named_only(joint);
     return study;
 }
 

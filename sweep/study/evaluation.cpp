@@ -1,6 +1,6 @@
 #include "sweep/study/evaluation.h"
 
-#include "analysis/joint/gains.h"
+#include "analysis/joint/sum_of_gains.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/stable_gains.h"
@@ -25,6 +25,12 @@ std::optional<SetPoint> resting(const Joint& joint)
     return set_point(joint);
 }
 
+/// What studies are of: the sum of gains, whose k_p and k_v can be turned, where that is the same loop.
+Joint acting_loop(const JointEvaluation& e)
+{
+    return is_sum_of_gains(e.joint.control) ? e.summed : without_stopped_integral(e.joint);
+}
+
 }  // namespace
 
 JointEvaluation evaluate_joint(const EvaluationQuestion& question, const std::function<void(EvaluationStage)>& at)
@@ -35,18 +41,19 @@ JointEvaluation evaluate_joint(const EvaluationQuestion& question, const std::fu
     e.verdict = linear_verdict(e.joint);
     add_margins(e.joint, e.verdict);
     e.summed = acting_joint(e.joint);
+    const Joint acting = acting_loop(e);
     at(EvaluationStage::nonlinear);
     e.nonlinear = nonlinear_verdict(e.joint, question.nonlinear);
     at(EvaluationStage::study);
     if (question.study) {
-        e.study = linear_study(e.summed);
-        if (e.decided()) e.locus = coarse_root_locus(e.summed);
+        e.study = linear_study(acting);
+        if (e.decided()) e.locus = coarse_root_locus(acting);
     }
     at(EvaluationStage::surroundings);
     e.force = question.force;
     if (e.decided()) {
-        if (!e.force.kind.empty()) e.motion = disturbed_motion(e.summed, e.force);
-        e.loads = loaded(e.summed, question.normal_load);
+        if (!e.force.kind.empty()) e.motion = disturbed_motion(acting, e.force);
+        e.loads = loaded(acting, question.normal_load);
     }
     e.rest = resting(e.joint);
     e.near = near_modes(e.joint);
@@ -59,9 +66,10 @@ JointEvaluation evaluate_joint(const EvaluationQuestion& question, const std::fu
 EvaluationCharts evaluation_charts(const JointEvaluation& e)
 {
     EvaluationCharts charts;
-    charts.answer = answer_joint(e.summed, e.verdict, e.nonlinear, *e.study);
+    const Joint acting = acting_loop(e);
+    charts.answer = answer_joint(acting, e.verdict, e.nonlinear, *e.study);
     const auto& own = e.verdict.state_variable.stable_intervals;
-    charts.gains = gain_chart(e.left_out ? e.left_out->joint : e.summed);
+    charts.gains = gain_chart(e.left_out ? e.left_out->joint : acting);
     charts.ideal_loop = e.left_out ? own : charts.answer.ideal_gains;
     charts.real_loop = e.left_out ? stable_gains(e.left_out->joint).stable : own;
     return charts;

@@ -158,7 +158,7 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     const double V0 = commanded_velocity(joint_);
     // the theory has no term for a push by the error
     const bool has_theory = delayed || !joint_.control.feed_forward.by_error();
-    const auto root = has_theory ? real_root(joint_, V0) : std::complex<double>(missing, missing);
+    const auto root = has_theory ? real_root(asked, V0) : std::complex<double>(missing, missing);
     const bool by_theory = delayed || leaves_within_tick(root, linear.period());
     mode_ = by_theory ? mode_by_theory(root, linear.period()) : loop_mode(linear);
     verdict_.growth_missing = mode_.why;

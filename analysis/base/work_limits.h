@@ -42,4 +42,8 @@ inline constexpr double ticks_of_dead_time = 1e6;
 /// them creep, and the map from stop to stop has no answer.
 inline constexpr int steps_to_stop = 200'000, slips_to_stop = 10'000;
 
+/// Ticks of one slip at a set point in a sampled loop. Reason: a search follows a hundred slips; hundreds of ticks are
+/// usual, and a slip that lasts longer creeps.
+inline constexpr long ticks_of_slip = 300'000;
+
 }  // namespace stickslip::work

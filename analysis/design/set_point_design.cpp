@@ -4,6 +4,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/set_point/regulator.h"
 #include "analysis/simulation/set_point/set_point.h"
+#include "analysis/simulation/set_point/sliding_loop.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -68,8 +69,7 @@ class SetPointSearch {
         SetPointDesign design;
         const auto regulator = regulator_of(joint_);
         per_signal_ = regulator.k_p / gains_of(joint_.control).k_p;
-        const double damping = regulator.k_v + regulator.drag + viscous_of(joint_.friction);
-        design.k_i_limit = damping * joint_.control.k_p / regulator.inertia;
+        design.k_i_limit = stable_integral_gain(joint_, viscous_of(joint_.friction));
         design.k_i_assumed = !is_set(asked_.k_i) && !(joint_.control.k_i > 0);
         design.k_i_used = is_set(asked_.k_i)   ? asked_.k_i
                           : design.k_i_assumed ? assumed_share * design.k_i_limit
@@ -77,6 +77,7 @@ class SetPointSearch {
         k_i_ = design.k_i_used;
         design.choices.push_back(proven(SetPointWay::as_described, joint_));
         if (asked_.over_k_i) design.choices.push_back(proven(SetPointWay::no_integral, plain(0)));
+        if (!(design.k_i_limit > 0)) return design;  // no way to hold it makes an unstable loop a stable one
         if (asked_.over_dead_zone) design.choices.push_back(with_dead_zone(SetPointWay::dead_zone, plain(k_i_)));
         if (asked_.over_push) design.choices.push_back(with_push());
         if (asked_.over_push && asked_.over_k_i) design.choices.push_back(with_push_alone());
@@ -161,7 +162,8 @@ class SetPointSearch {
         return std::any_of(corners_.begin(), corners_.end(), [&](const Friction& f) {
             Joint j = joint;
             j.friction = f;
-            return set_point(j).hunting != Hunting::no;
+            const auto s = set_point(j);
+            return s.hunting != Hunting::no || s.diverges();
         });
     }
 
@@ -183,13 +185,10 @@ class SetPointSearch {
             c.proofs[i] = {levels.kinetic, levels.breakaway, set_point(j, {asked_.starts_per_decade})};
         });
         c.holds = true, c.rest_error = 0;
-        // an integral carries a constant load, without one it is a part of the error
-        const double load =
-            joint.control.k_i > 0 ? 0 : std::abs(joint.load.constant) / std::abs(per_signal_ * joint.control.k_p);
         for (const auto& p : c.proofs) {
-            const bool rests = p.answer.hunting == Hunting::no && p.answer.reason != SetPointReason::loop_unstable;
+            const bool rests = p.answer.hunting == Hunting::no && !p.answer.diverges();
             c.holds = c.holds && rests;
-            c.rest_error = std::max(c.rest_error, p.answer.rest_error + load);
+            c.rest_error = std::max(c.rest_error, p.answer.rest_error);
         }
         if (!c.holds) c.rest_error = missing;
         return c;

@@ -26,7 +26,9 @@ enum class SetPointReason : std::uint8_t {
     driven_by_velocity,    ///< hunts: a compensation that follows the velocity gives more than friction takes
     not_driven,            ///< rests: it gives less, and each slip ends nearer to the set point
     dither_narrows,        ///< rests: a dither below the kinetic friction leaves less of the static one to hold it
-    loop_unstable,         ///< without dry friction the loop itself is unstable: it does not hunt, it diverges
+    loop_unstable,         ///< while it moves, the loop as it is is unstable: it does not hunt, it diverges
+    load_beyond_limits,    ///< the load exceeds what the limits leave by more than static friction: it falls away
+    driven_cycle,          ///< hunts: the loop as it is keeps the joint moving
     force_control,         ///< the following are not judged
     several_bodies,
     law_needs_motion,
@@ -34,6 +36,8 @@ enum class SetPointReason : std::uint8_t {
     dithered,              ///< a dither beside an integral or a push, or above the kinetic friction
     bristles_compensated,  ///< a compensation that is fed back, over friction without true rest
     friction_term,         ///< a term beside the law
+    loop_not_simulated,    ///< sampled, late or filtered over bristles
+    left_out,              ///< a term that this answer has no place for matters to it
     loaded,                ///< a constant load takes a part of a limit, and the answer depends on it
     not_converged
 };
@@ -54,6 +58,8 @@ constexpr std::string_view name_of(SetPointReason reason)
                                           "not-driven",
                                           "dither-narrows",
                                           "loop-unstable",
+                                          "load-beyond-limits",
+                                          "driven-cycle",
                                           "force-control",
                                           "several-bodies",
                                           "law-needs-motion",
@@ -61,18 +67,20 @@ constexpr std::string_view name_of(SetPointReason reason)
                                           "dithered",
                                           "bristles-compensated",
                                           "friction-term",
+                                          "loop-not-simulated",
+                                          "left-out",
                                           "loaded",
                                           "not-converged"};
     static_assert(std::size(names) == static_cast<std::size_t>(SetPointReason::not_converged) + 1);
     return names[static_cast<std::size_t>(reason)];
 }
 
-enum class SetPointMethod : std::uint8_t { none, closed_form, event_driven, presliding };
+enum class SetPointMethod : std::uint8_t { none, closed_form, event_driven, presliding, simulated };
 
 /// As JSON calls it.
 constexpr std::string_view name_of(SetPointMethod method)
 {
-    constexpr std::string_view names[] = {"none", "closed-form", "event-driven", "presliding"};
+    constexpr std::string_view names[] = {"none", "closed-form", "event-driven", "presliding", "simulated"};
     return names[static_cast<int>(method)];
 }
 
@@ -95,7 +103,11 @@ struct SetPoint {
     bool rests_nearby = false;       ///< hunts from further away, rests from nearby
     std::vector<std::string> not_used;  ///< keys of the joint that this answer leaves out
 
-    bool diverges() const { return reason == SetPointReason::loop_unstable; }
+    /// Leaves the set point instead of resting or hunting about it.
+    bool diverges() const
+    {
+        return reason == SetPointReason::loop_unstable || reason == SetPointReason::load_beyond_limits;
+    }
 };
 
 }  // namespace stickslip

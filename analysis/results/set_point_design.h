@@ -46,7 +46,7 @@ struct SetPointChoice {
 };
 
 struct SetPointDesign {
-    double k_i_limit = missing;  ///< above it the loop is unstable without any dry friction (Routh)
+    double k_i_limit = missing;  ///< above it the loop as it is is unstable without any dry friction; 0: with every k_i
     double k_i_used = missing;   ///< of the ways that integrate
     bool k_i_assumed = false;    ///< the joint has none: a tenth of the limit
     std::vector<SetPointChoice> choices;

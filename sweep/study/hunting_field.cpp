@@ -7,7 +7,8 @@
 namespace stickslip {
 namespace {
 
-constexpr int nodes_in_closed_form = 81, nodes_followed = 25;  ///< along each axis; a followed place takes milliseconds
+/// Along each axis; a followed place takes milliseconds, one that is simulated tick by tick tens of them.
+constexpr int nodes_in_closed_form = 81, nodes_followed = 25, nodes_simulated = 15;
 
 }  // namespace
 
@@ -16,7 +17,9 @@ HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFo
     HuntingField field;
     const auto method = set_point(design).method;
     const bool followed = method == SetPointMethod::event_driven || method == SetPointMethod::presliding;
-    const int nodes = followed ? nodes_followed : nodes_in_closed_form;
+    const int nodes = method == SetPointMethod::simulated ? nodes_simulated
+                      : followed                          ? nodes_followed
+                                                          : nodes_in_closed_form;
     x.values = spaced(x.values.front(), x.values.back(), nodes, x.log);
     y.values = spaced(y.values.front(), y.values.back(), nodes, y.log);
     field.places.resize(x.values.size() * y.values.size());

@@ -1,6 +1,8 @@
 #include "sweep/study/idle_axes.h"
 
 #include "analysis/joint/parameters.h"
+#include "analysis/joint/rules.h"
+#include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 
 #include <cmath>
@@ -88,6 +90,26 @@ std::vector<IdleAxis> idle_axes(const Joint& joint, const std::vector<Axis>& axe
     for (const auto& axis : axes)
         if (auto found = idle(joint, axis)) list.push_back(std::move(*found));
     return list;
+}
+
+std::optional<IdleAxis> idle_at_rest(const Joint& joint, const Axis& axis)
+{
+    if (axis.values.size() < 2) return {};
+    IdleAxis found{axis.path, {}, false, true};
+    std::optional<SetPoint> first;
+    for (const double value : tried(axis)) {
+        const Joint there = moved(joint, axis.path, value);
+        if (!obeys_rules(there)) continue;
+        const auto now = set_point(there);
+        for (const auto& key : now.not_used) found.matters |= names(key, axis.path);
+        if (!first) first = now;
+        if (now.hunting != first->hunting || now.reason != first->reason || !same(now.amplitude, first->amplitude) ||
+            !same(now.period, first->period) || !same(now.rest_error, first->rest_error) ||
+            !same(now.multiplier, first->multiplier))
+            return {};
+    }
+    if (!first) return {};
+    return found;
 }
 
 std::vector<IdleAxis> idle_coordinates(const Joint& joint, const Uncertainty& uncertainty)

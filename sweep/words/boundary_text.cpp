@@ -112,9 +112,13 @@ std::string ray_text(const Joint& design, const LocatedRay& ray, const std::vect
         return "No verdict along " + ray.axis.symbol + ": the joint cannot be judged at any of the " +
                std::to_string(ray.nodes) + " points of the scan" +
                (ray.reason == Reason::none ? "." : ". At the first point: " + reason_text(ray.reason) + ".");
-    if (const auto* same = is_linear(ray.kind) ? idle_axis(idle, ray.axis.path) : nullptr; same && ray.points.empty())
+    const bool at_rest = ray.kind == BoundaryKind::hunting;
+    const auto* same = is_linear(ray.kind) || at_rest ? idle_axis(idle, ray.axis.path, at_rest) : nullptr;
+    if (same && ray.points.empty())
         return "No " + kind + " can lie along " + ray.axis.symbol + " within " + range + ": " + idle_words(*same) +
-               (is_left_out(*same) ? ". What it does to sliding is not judged: simulate it." : ".");
+               (!is_left_out(*same) ? "."
+                : at_rest           ? ". What it does at rest is not judged: simulate it."
+                                    : ". What it does to sliding is not judged: simulate it.");
     if (ray.points.empty())
         return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
                outside_text(ray, units);

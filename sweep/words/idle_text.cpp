@@ -6,12 +6,17 @@ namespace stickslip {
 
 bool is_left_out(const IdleAxis& axis)
 {
+    if (axis.at_rest) return axis.matters;
     return axis.why && *axis.why != WhyNot::overruled && *axis.why != WhyNot::other_kind &&
            *axis.why != WhyNot::no_feedback;
 }
 
 std::string idle_words(const IdleAxis& axis)
 {
+    if (axis.at_rest)
+        return (axis.matters ? "no answer at a set point has a place for "
+                             : "no answer of this joint at a set point depends on ") +
+               axis.path;
     if (!axis.why) return "no linear verdict of this joint depends on " + axis.path;
     if (!is_left_out(axis)) return "nothing in this loop depends on " + axis.path + " (" + why_text(*axis.why) + ")";
     return "the linear theory has no term for " + axis.path + " (" + why_text(*axis.why) + ")";

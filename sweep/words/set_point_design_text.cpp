@@ -49,6 +49,11 @@ bool hunts_somewhere(const SetPointChoice& c)
                        [](const SetPointProof& p) { return p.answer.hunting == Hunting::yes; });
 }
 
+bool diverges_somewhere(const SetPointChoice& c)
+{
+    return std::any_of(c.proofs.begin(), c.proofs.end(), [](const SetPointProof& p) { return p.answer.diverges(); });
+}
+
 /// Why none of the frictions makes it hunt: closed form, or what was followed.
 std::string proof_text(const SetPointProof& p, Units units)
 {
@@ -87,7 +92,11 @@ std::string way_text(SetPointWay way)
 std::string set_point_design_text(const SetPointDesign& design, Units units)
 {
     std::string text;
-    if (design.best < 0) {
+    if (design.best < 0 && design.k_i_limit == 0) {
+        text =
+            "The loop is unstable while the joint moves, with every k_{i} and without one: no choice made here holds a "
+            "set point in it. Change k_{p}, k_{v} or the delays of the loop first.";
+    } else if (design.best < 0) {
         text = "None of the solutions tried prevents hunting for every friction within the margin.";
     } else {
         const auto& c = design.choices[static_cast<std::size_t>(design.best)];
@@ -105,7 +114,7 @@ std::string set_point_design_text(const SetPointDesign& design, Units units)
             text += " Above " + with_unit(c.high, Quantity::command, units) +
                     ", the kinetic friction, the dither may keep the joint moving.";
     }
-    if (design.k_i_assumed)
+    if (design.k_i_assumed && design.k_i_limit > 0)
         text += " The joint has no k_{i}: a tenth of the largest with which the loop is stable was assumed.";
     return text;
 }
@@ -117,10 +126,11 @@ std::vector<Table> set_point_design_tables(const SetPointDesign& design, Units u
     ways.columns = {"way", "parameters", "may lie in", "hunts", "largest error at rest"};
     for (const auto& c : design.choices)
         ways.rows.push_back({way_text(c.way), is_set(c.k_i) ? numbers_text(c, units) : "–", window_text(c, units),
-                             c.holds              ? "no"
-                             : c.proofs.empty()   ? "not possible"
-                             : hunts_somewhere(c) ? "yes"
-                                                  : "undecided",
+                             c.holds                 ? "no"
+                             : c.proofs.empty()      ? "not possible"
+                             : hunts_somewhere(c)    ? "yes"
+                             : diverges_somewhere(c) ? "no, it diverges"
+                                                     : "undecided",
                              c.holds ? with_unit(c.rest_error, Quantity::position, units) : "–"});
     std::vector<Table> tables{ways};
     if (design.best < 0) return tables;

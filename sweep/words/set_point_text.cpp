@@ -6,6 +6,7 @@
 
 namespace stickslip {
 
+// In one piece: one sentence a reason.
 std::string set_point_reason(SetPointReason reason)
 {
     switch (reason) {
@@ -38,11 +39,15 @@ std::string set_point_reason(SetPointReason reason)
                    "and reduces the error that static friction can hold";
         case SetPointReason::dithered:
             return "a dither is evaluated only below the kinetic friction, in a loop without integral, push and "
-                   "bristles; use simulate --reference";
+                   "bristles that is neither sampled nor late; use simulate --reference";
         case SetPointReason::bristles_compensated:
             return "a feed-forward from the error or the velocity is not simulated over bristles";
         case SetPointReason::loop_unstable:
             return "the loop is unstable even without dry friction: it diverges instead of hunting";
+        case SetPointReason::load_beyond_limits:
+            return "the load at the set point exceeds what the limits leave by more than static friction holds";
+        case SetPointReason::driven_cycle:
+            return "the delayed loop keeps the joint moving: no stop lasts";
         case SetPointReason::force_control:
             return "a force loop has no position set point";
         case SetPointReason::several_bodies:
@@ -55,6 +60,12 @@ std::string set_point_reason(SetPointReason reason)
             return "friction has a term in addition to its law (bristle, memory, load, gear, ripple, drift or viscous "
                    "asymmetry) "
                    "that is not simulated at rest";
+        case SetPointReason::loop_not_simulated:
+            return "sampling, dead time, lag, a filter, gravity or an encoder step is not simulated over bristles at "
+                   "rest; use simulate --reference";
+        case SetPointReason::left_out:
+            return "what is left out of this answer matters to it: encoder noise, a periodic force, a moving normal "
+                   "load or a neighbour; use simulate --reference";
         case SetPointReason::loaded:
             return "a constant load takes a part of a limit on which the answer depends; use simulate --reference";
         case SetPointReason::not_converged:

@@ -21,6 +21,7 @@ Regulator regulator_of(const Joint& joint)
     // the controller counts errors and velocities in what the encoder says, the motion in what the joint does
     const double scale = joint.sensor.position_scale;
     r.inertia = joint.mechanism.inertia;
+    r.per_signal = per_signal;
     r.k_p = per_signal * scale * gains.k_p;
     r.k_v = per_signal * scale * gains.k_v;
     r.k_i = per_signal * scale * gains.k_i;

@@ -10,6 +10,7 @@ namespace stickslip {
 /// output up to its own.
 struct Regulator {
     double inertia = not_set;
+    double per_signal = 1;  ///< effort per command
     double k_p = not_set, k_v = 0, k_i = 0;
     double drag = 0;  ///< what a motor on a voltage resists by its back-EMF, whatever the controller gives
     double dead_zone = 0, integral_limit = infinity, integral_band = infinity, effort_limit = infinity;

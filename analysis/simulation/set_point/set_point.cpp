@@ -4,50 +4,15 @@
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/set_point/hunting_search.h"
 #include "analysis/simulation/set_point/presliding.h"
+#include "analysis/simulation/set_point/resting_friction.h"
+#include "analysis/simulation/set_point/sampled_hunting.h"
+#include "analysis/simulation/set_point/set_point_load.h"
+#include "analysis/simulation/set_point/sliding_loop.h"
 #include "analysis/simulation/set_point/slip.h"
 #include "analysis/simulation/set_point/unused_at_rest.h"
 
 namespace stickslip {
 namespace {
-
-/// Coulomb, static and viscous friction of a law that has them; the law's forces are multiplied by the normal load.
-struct RestingFriction {
-    DryFriction dry;
-    double viscous = 0;
-    double presliding = 0;  ///< how far bristles give way up to F_s; 0: true rest
-    bool flat = false;      ///< F_c at every speed: closed form
-};
-
-struct FrictionOrReason {
-    RestingFriction friction;
-    SetPointReason reason = SetPointReason::none;
-};
-
-FrictionOrReason resting_friction(const Friction& friction)
-{
-    const double n = friction.normal_load;
-    const auto bristles = [&](double coulomb, double breakaway, double viscous, double stiffness) {
-        return RestingFriction{{n * coulomb, n * breakaway}, n * viscous, breakaway / stiffness, false};
-    };
-    if (friction.has_bristle() || friction.has_memory() || friction.has_lag() || friction.level_moves() ||
-        friction.asymmetry.viscous != 0)
-        return {{}, SetPointReason::friction_term};
-    if (const auto* law = std::get_if<CoulombViscous>(&friction.law))
-        return {{{n * law->coulomb, n * law->coulomb}, n * law->viscous, 0, true}};
-    if (const auto* law = std::get_if<KineticStatic>(&friction.law))
-        return {{{n * law->kinetic, n * law->breakaway}, 0, 0, true}};
-    if (const auto* law = std::get_if<Stribeck>(&friction.law)) {
-        // below one the curve leaves rest with a vertical tangent, which the solver does not step over
-        if (law->c2 > 0 && law->c4 < 1) return {{}, SetPointReason::law_without_motion};
-        return {{{n * law->c0, n * (law->c0 + law->c2)}, n * law->c1, 0, law->c2 == 0}};
-    }
-    if (const auto* law = std::get_if<LuGre>(&friction.law))
-        return {bristles(law->coulomb, law->breakaway, law->sigma2, law->sigma0)};
-    if (const auto* law = std::get_if<Dahl>(&friction.law))
-        return {bristles(law->coulomb, law->coulomb, 0, law->sigma0)};
-    return {{},
-            info(friction.law).needs_motion ? SetPointReason::law_needs_motion : SetPointReason::law_without_motion};
-}
 
 SetPoint undecided(SetPointReason reason)
 {
@@ -117,18 +82,12 @@ SetPoint with_bristles(const Regulator& regulator, const Friction& law, const Re
     return s;
 }
 
-/// Whether the command acts later than the error that it answers.
-bool delayed(const Joint& joint)
-{
-    return is_set(joint.control.period) || joint.control.delay > 0 || joint.sensor.delay > 0 || joint.actuator.lag > 0;
-}
-
 /// Where the side of the error alone moves the mass, it can rest in one point only, and a loop that is late passes
 /// that point each time: I. Boiko, Discontinuous Control Systems, 2009. An exact loop comes to rest there.
 bool pushes_itself(const Joint& joint, const Regulator& regulator, double held)
 {
     const auto& push = regulator.push;
-    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && delayed(joint);
+    return push.jumps() && push.coulomb > held && regulator.dead_zone == 0 && acts_late(joint);
 }
 
 SetPoint pushed_about(SetPointReason reason)
@@ -149,37 +108,56 @@ SetPoint under_dither(const Regulator& regulator, const DryFriction& dry, double
     return rests(SetPointReason::dither_narrows, breaks ? band : infinity, SetPointMethod::closed_form);
 }
 
-SetPoint without_integral(const Joint& joint, const Regulator& regulator, const DryFriction& dry, double load)
+SetPoint without_integral(const Joint& joint, const Regulator& regulator, const RestingFriction& friction,
+                          const RestingPull& pull)
 {
+    const auto& dry = friction.dry;
+    const double load = std::abs(pull.on_feedback), held = std::abs(pull.on_limits);
     if (regulator.k_i < 0 || !(regulator.k_p > 0))
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-    if (load > regulator.effort_limit) return undecided(SetPointReason::loaded);
+    if (held > regulator.effort_limit) return undecided(SetPointReason::loaded);
+    const bool breaks = dry.breakaway + held <= regulator.effort_limit;
+    if (is_simulated(joint)) {
+        const auto s = resting_by_simulation(SampledStops(joint, regulator, friction.viscous));
+        if (s.hunting != Hunting::no || s.diverges() || breaks) return s;
+        return rests(SetPointReason::no_integral_action, infinity, SetPointMethod::simulated);
+    }
     if (regulator.dither > 0) return under_dither(regulator, dry, load);
-    const bool breaks = dry.breakaway + load <= regulator.effort_limit;
     const double band = breaks ? regulator.error_holding(dry.breakaway + load) + regulator.dead_zone : infinity;
     if (breaks && regulator.push.by_velocity())
         return hunting_without_integral(StopToStop(regulator, joint.friction), band);
     return rests(SetPointReason::no_integral_action, band, SetPointMethod::closed_form);
 }
 
-/// What pulls the joint at rest to one side, in effort.
-double pull(const Joint& joint)
+SetPoint simulated(const Joint& joint, const SetPointQuestion& question, const Regulator& regulator,
+                   const RestingFriction& friction, double natural)
 {
-    return std::abs(joint.load.constant - joint.friction.normal_load * joint.friction.asymmetry.coulomb);
+    auto s = hunting_by_simulation(SampledStops(joint, regulator, friction.viscous), natural, regulator.dead_zone,
+                                   question.starts_per_decade);
+    const bool equal = friction.flat && friction.dry.breakaway == friction.dry.coulomb;
+    if (s.hunting == Hunting::yes && s.reason == SetPointReason::falling_friction && friction.flat && !equal)
+        s.reason = SetPointReason::static_above_coulomb;
+    if (s.hunting == Hunting::no && s.reason == SetPointReason::slips_shrink && equal)
+        s.reason = SetPointReason::static_is_coulomb;
+    return s;
 }
 
-/// With a loop that integrates: the limits leave `taken` less to it than they are.
+/// With a loop that integrates: the load takes that much of the limits.
 SetPoint with_integral(const Joint& joint, const SetPointQuestion& question, Regulator regulator,
-                       const RestingFriction& friction, double taken)
+                       const RestingFriction& friction, const RestingPull& taken)
 {
     const PidMass mass{regulator.inertia, regulator.k_v + regulator.drag + friction.viscous, regulator.k_p,
                        regulator.k_i};
+    const auto cycle_or_spring = [&] {
+        const auto cycle = hunting_cycle(mass, friction.dry);
+        return cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
+    };
+    if (is_simulated(joint)) return simulated(joint, question, regulator, friction, cycle_or_spring());
     if (!mass.stable()) return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
     if (friction.flat && regulator.linear()) return in_closed_form(mass, friction.dry);
-    regulator.integral_limit -= taken;
-    regulator.effort_limit -= taken;
-    const auto cycle = hunting_cycle(mass, friction.dry);
-    const double natural = cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
+    regulator.integral_limit -= taken.on_feedback;
+    regulator.effort_limit -= taken.on_limits;
+    const double natural = cycle_or_spring();
     if (friction.presliding > 0) return with_bristles(regulator, joint.friction, friction, natural);
     auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone,
                                question.starts_per_decade);
@@ -190,14 +168,15 @@ SetPoint with_integral(const Joint& joint, const SetPointQuestion& question, Reg
 /// The integral carries the load, which takes as much of every limit on one side as it adds on the other. An answer is
 /// one where both sides agree.
 SetPoint carrying(const Joint& joint, const SetPointQuestion& question, const Regulator& regulator,
-                  const RestingFriction& friction)
+                  const RestingFriction& friction, const RestingPull& pull)
 {
     constexpr double same = 1e-6;
-    const double load = pull(joint);
+    const double way = std::copysign(1.0, pull.on_limits);
+    const RestingPull load{way * pull.on_limits, way * pull.on_feedback};
     const bool limited = regulator.integral_limit < infinity || regulator.effort_limit < infinity;
-    const auto near = with_integral(joint, question, regulator, friction, limited ? load : 0);
-    if (!limited || load == 0) return near;
-    const auto far = with_integral(joint, question, regulator, friction, -load);
+    const auto near = with_integral(joint, question, regulator, friction, limited ? load : RestingPull{});
+    if (!limited || is_simulated(joint) || (load.on_limits == 0 && load.on_feedback == 0)) return near;
+    const auto far = with_integral(joint, question, regulator, friction, {-load.on_limits, -load.on_feedback});
     const bool hunts = near.hunting == Hunting::yes;
     if (near.hunting != far.hunting || near.diverges() != far.diverges() ||
         (hunts && !(std::abs(near.amplitude - far.amplitude) <= same * far.amplitude)))
@@ -212,13 +191,21 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     const auto [friction, reason] = resting_friction(joint.friction);
     if (reason != SetPointReason::none) return undecided(reason);
     const auto regulator = regulator_of(joint);
-    if (regulator.dither > 0 && (friction.presliding > 0 || regulator.k_i > 0))
+    if (matters_at_rest(joint, regulator.per_signal)) return undecided(SetPointReason::left_out);
+    const auto pull = pull_at(joint, 0, regulator.per_signal);
+    if (std::abs(pull.on_limits) - friction.dry.breakaway > regulator.effort_limit)
+        return rests(SetPointReason::load_beyond_limits, missing, SetPointMethod::closed_form);
+    const bool integrates = regulator.k_i > 0, simulated = is_simulated(joint);
+    if (simulated && !(sliding_growth(joint, friction.viscous) < 0))
+        return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
+    if (regulator.dither > 0 && (friction.presliding > 0 || integrates || simulated))
         return undecided(SetPointReason::dithered);
-    if (pushes_itself(joint, regulator, friction.dry.breakaway + pull(joint)))
+    if (pushes_itself(joint, regulator, friction.dry.breakaway + std::abs(pull.on_feedback)))
         return pushed_about(SetPointReason::push_breaks_friction);
     if (friction.presliding > 0 && regulator.push.fed_back()) return undecided(SetPointReason::bristles_compensated);
-    if (!(regulator.k_i > 0)) return without_integral(joint, regulator, friction.dry, pull(joint));
-    return carrying(joint, question, regulator, friction);
+    if (friction.presliding > 0 && simulated) return undecided(SetPointReason::loop_not_simulated);
+    if (!integrates) return without_integral(joint, regulator, friction, pull);
+    return carrying(joint, question, regulator, friction, pull);
 }
 
 }  // namespace

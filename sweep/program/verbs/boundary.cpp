@@ -44,7 +44,10 @@ void answer_one(BoundaryAnswer& answer, BoundaryRequest request, const std::vect
     }
     auto ray = locate_boundaries(answer.design, axes[0], request);
     if (beyond_ray(answer.design, ray)) answer.region = Region::bistable;
-    const bool idle = is_linear(request.kind) && idle_axis(answer.idle, axes[0].path);
+    const bool at_rest = request.kind == BoundaryKind::hunting;
+    if (at_rest && ray.points.empty())
+        if (auto same = idle_at_rest(answer.design, ray.axis)) answer.idle.push_back(std::move(*same));
+    const bool idle = (is_linear(request.kind) || at_rest) && idle_axis(answer.idle, axes[0].path, at_rest);
     if (ray.points.empty() && ray.undecided < ray.nodes && !idle)
         ray.outside = nearest_outside(answer.design, ray, request);
     answer.rays.push_back(std::move(ray));

@@ -88,6 +88,42 @@ TEST_CASE("where the drop may exceed the static friction no push holds", "[desig
     CHECK(push.high == Approx(2.97));
 }
 
+TEST_CASE("a design of a set point recommends no gains with which the joint's own loop is unstable",
+          "[design][set-point]")
+{
+    // 100 Hz and a tick of dead time: a loop of 450 N·m/rad on 0.3 kg·m² turns by 39 rad/s, and lags 45° by then
+    auto joint = arm();
+    joint.control.period = 0.01, joint.control.delay = 0.01;
+    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
+    auto design = designed(joint, 0.1, true, true);
+    CHECK(design.k_i_limit == 0);
+    CHECK(design.best == -1);
+    for (const auto& c : design.choices)
+        for (const auto& p : c.proofs) CHECK(p.answer.diverges());
+    // softer it is stable up to a k_i, and everything recommended is below it
+    joint.control.k_p = 60, joint.control.k_i = 0;
+    SetPointRequirements r;
+    r.starts_per_decade = 4;
+    r.over_dead_zone = r.over_push = false;
+    design = design_set_point(joint, r, one_by_one);
+    CHECK(design.k_i_assumed);
+    CHECK(design.k_i_limit > 0);
+    CHECK(design.k_i_limit < 60 * 5 / 0.3);
+    CHECK(design.k_i_used == Approx(0.1 * design.k_i_limit));
+    joint.control.k_i = 0.98 * design.k_i_limit;
+    CHECK_FALSE(set_point(joint).diverges());
+    joint.control.k_i = 1.02 * design.k_i_limit;
+    CHECK(set_point(joint).diverges());
+}
+
+TEST_CASE("a load counts once in the error of a way without an integral", "[design][set-point]")
+{
+    auto joint = arm();
+    joint.load.constant = 2;
+    const auto& free = of(designed(joint, 0, false, false), SetPointWay::no_integral);
+    CHECK(free.rest_error == Approx((3.3 + 2) / 450));
+}
+
 TEST_CASE("a design of a set point says what it does not do", "[design][set-point]")
 {
     auto joint = arm();

@@ -1,5 +1,6 @@
 // Parameters that the linear theory has no term for: nothing denies a boundary along them.
 #include "sweep/study/idle_axes.h"
+#include "analysis/simulation/set_point/set_point.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/toml/requirements_file.h"
 #include "sweep/report/pages/boundary_report.h"
@@ -24,6 +25,22 @@ bool alerts(const Report& report, const char* part)
     for (const auto& alert : report.alerts)
         if (has(alert.text, part)) return true;
     return false;
+}
+
+/// Of the boundary of hunting of a joint that hunts all along an axis.
+BoundaryAnswer hunting_along(const Joint& joint, const Axis& axis)
+{
+    BoundaryAnswer answer;
+    answer.design = joint;
+    answer.set_point = set_point(joint);
+    LocatedRay ray;
+    ray.kind = BoundaryKind::hunting;
+    ray.axis = axis;
+    ray.axis.symbol = "x";
+    ray.nodes = 40, ray.stable_share = 0;
+    answer.rays.push_back(ray);
+    if (auto idle = idle_at_rest(joint, axis)) answer.idle.push_back(*idle);
+    return answer;
 }
 
 /// Of a design that slides, along an axis where all 200 scanned points do.
@@ -115,4 +132,27 @@ TEST_CASE("An uncertainty with joints that have no verdict is no clean yes", "[m
     CHECK(answer.worst->undecided > 0);
     CHECK(has(margins_text(answer), "had no verdict"));
     CHECK(margins_report(answer).tone == Headline::Tone::warning);
+}
+
+TEST_CASE("along what no answer at a set point depends on nothing denies a boundary of hunting", "[idle]")
+{
+    Joint joint;
+    joint.mechanism.inertia = 1;
+    auto& c = joint.control;
+    c.V0 = 0, c.k_p = 100, c.k_v = 20, c.k_i = 100;
+    joint.friction.law = KineticStatic{1, 1.5};
+    const auto noise = hunting_along(joint, axis("sensor.position_noise", 1e-9, 1e-6));
+    REQUIRE(noise.idle.size() == 1);
+    CHECK(noise.idle[0].at_rest);
+    CHECK(noise.idle[0].matters);
+    const auto said = boundary_report(noise).verdict;
+    CHECK(has(said, "No hunting boundary can lie along x"));
+    CHECK(has(said, "no answer at a set point has a place for sensor.position_noise"));
+    CHECK(has(said, "simulate it"));
+    // effort noise is that of a record
+    CHECK(has(boundary_report(hunting_along(joint, axis("sensor.effort_noise", 1e-3, 1))).verdict,
+              "no answer of this joint at a set point depends on sensor.effort_noise"));
+    // the dead time moves the cycle, and ends it
+    CHECK_FALSE(idle_at_rest(joint, axis("control.delay", 1e-3, 1e-2)));
+    CHECK_FALSE(idle_at_rest(joint, axis("load.gravity_amplitude", 1, 100)));
 }

@@ -30,6 +30,20 @@ double LoopController::begin(double output, double velocity, double step)
     return state.reading;
 }
 
+void LoopController::begin_holding(double reading, double output, double step)
+{
+    const auto& c = control_;
+    arrive(reading, 0, step);
+    last_rate_ = 0;
+    const double seen = outside_dead_zone(-reading), wanted = c.position_gain * seen;
+    const bool cascade = c.structure == Structure::cascade;
+    const double held_otherwise =
+        (cascade ? c.velocity_gain * wanted : c.k_p * seen) + c.feed_forward.push(0, 0, seen) + ahead(0, 0, step);
+    state.integral = (output - held_otherwise) / gain_of_integral_;
+    state.error = cascade ? wanted : seen;
+    state.output = output;
+}
+
 /// Counts the integral from the first steady value that it is given.
 void LoopController::hold(double integral)
 {

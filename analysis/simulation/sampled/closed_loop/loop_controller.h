@@ -32,6 +32,9 @@ class LoopController {
     /// As after reading for ever, in steady sliding at this velocity with the reference at 0 in the frame, what gives
     /// this output; returns that reading. NaN where the controller cannot give it for ever.
     double begin(double output, double velocity, double step);
+    /// As after reading nothing but this for ever, the integral such that the output is this, in a frame at rest with
+    /// the reference at 0. Of a loop that integrates.
+    void begin_holding(double reading, double output, double step);
     /// As after reading a motion of this velocity for ever, which is at `reading` a step later.
     void arrive(double reading, double velocity, double step);
     /// A new reading, `step` after the last. `exact` is the true velocity, used where the estimate is exact.
@@ -55,6 +58,9 @@ class LoopController {
     bool reads_velocity() const { return continuous() || control_.velocity_estimate.form == EstimateForm::exact; }
     double integral() const { return held_ + state.integral; }
     double integral_gain() const { return gain_of_integral_; }
+    /// What the integral gives of the output, and by how much a second changes that in such a rest.
+    double integrated() const { return gain_of_integral_ * integral(); }
+    double winding() const { return gain_of_integral_ * state.error; }
     bool integrates() const { return gain_of_integral_ != 0; }
     /// The last command before its limit.
     double wanted() const { return wanted_; }

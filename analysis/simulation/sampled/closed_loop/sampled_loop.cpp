@@ -1,3 +1,4 @@
+// In one file: one loop, from each of its starts through its ticks.
 #include "analysis/simulation/sampled/closed_loop/sampled_loop.h"
 
 namespace stickslip {
@@ -139,6 +140,16 @@ void SampledLoop::begin_at_rest(double reading)
     motion.joint.begin_past(motion.y.data(), 0);
     motion.enter();
     ticks_ = 0;
+}
+
+void SampledLoop::begin_holding(double reading, double command)
+{
+    begin_at_rest(reading);
+    controller_.begin_holding(read(), command, period_);
+    std::fill(line_.begin(), line_.end(), command);
+    motion.joint.arriving = command;
+    if (motion.joint.has_lag()) motion.joint.lagged(motion.y.data()) = command;
+    motion.enter();
 }
 
 void SampledLoop::set_clock(double controller, double t)

@@ -45,6 +45,8 @@ class SampledLoop {
     bool begin_sliding(double reading, double rate);
     /// Rests at this reading, nothing commanded yet.
     void begin_at_rest(double reading);
+    /// Rests there, this commanded for ever by a controller that integrates.
+    void begin_holding(double reading, double command);
 
     /// Moves all bodies, and the readings so far, by this much [joint side]: a step of the commanded position.
     void displace(double x);
@@ -79,6 +81,7 @@ class SampledLoop {
     double frame() const { return motion.joint.frame(); }
     double reference_velocity() const { return frame_reading_; }
     const TickReadings& readings() const { return readings_; }
+    const LoopController& controller() const { return controller_; }
     bool continuous() const { return controller_.continuous(); }
     /// The last entries of state(), oldest first.
     std::size_t commands_on_the_way() const { return line_.size() - 1; }

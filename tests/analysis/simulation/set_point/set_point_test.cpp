@@ -267,8 +267,10 @@ TEST_CASE("a load takes its share of the limits of a loop at a set point", "[set
     Joint plain = joint_of({1, 2, 18, 0}, KineticStatic{0.327, 0.981});
     plain.load.constant = 5;
     CHECK(set_point(plain).rest_error == Approx(5.981 / 18));
-    plain.control.effort_limit = 4;
+    plain.control.effort_limit = 4.5;  // 5 − 4.5 is held by static friction while the joint rests, and no longer
     CHECK(set_point(plain).reason == SetPointReason::loaded);
+    plain.control.effort_limit = 4;
+    CHECK(set_point(plain).reason == SetPointReason::load_beyond_limits);
 }
 
 TEST_CASE("a slip from so near that forces are rounding ends, too", "[set-point]")

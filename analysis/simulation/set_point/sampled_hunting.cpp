@@ -1,0 +1,165 @@
+#include "analysis/simulation/set_point/sampled_hunting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+using End = SampledStop::End;
+
+constexpr double decades_below = 3, decades_above = 2;
+constexpr double short_of_it = -50;             ///< ln of a ratio, of a slip that does not cross the set point
+constexpr int watched = 20, most_watched = 20;  ///< stops that are compared, and how often
+constexpr double even = 0.01;                   ///< by which they may differ, per the largest: ticks account for it
+constexpr double shrinks = 0.8;  ///< to what share of itself this difference goes down while the cycle is approached
+
+/// ln of the next stop's distance per that of this one; NaN where no slip follows.
+double growth(const SampledStop& stop, double x)
+{
+    if (stop.end == End::settled) return short_of_it;
+    if (stop.end == End::moves) return std::log(stop.x / std::abs(x));
+    if (stop.end == End::runaway) return -short_of_it;
+    if (stop.end != End::stop) return missing;
+    return stop.x * x < 0 ? std::max(std::log(std::abs(stop.x / x)), short_of_it) : short_of_it;
+}
+
+double mean(const std::vector<double>& v)
+{
+    return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
+}
+
+/// From stop to stop: the cycle that they come to, `no` where they end, undecided where one was not followed.
+SetPoint followed(const SampledStops& motion, double x)
+{
+    SetPoint s;
+    s.method = SetPointMethod::simulated;
+    s.hunting = Hunting::yes;
+    s.reason = SetPointReason::falling_friction;
+    std::vector<double> distance, slip, stick;
+    double spread = infinity;
+    for (int i = 0; i < watched * most_watched; ++i) {
+        const auto stop = motion.slip_from(x);
+        if (stop.end == End::moves) {
+            s.reason = SetPointReason::driven_cycle;
+            s.amplitude = stop.x;
+            return s;
+        }
+        if (stop.end == End::runaway) return s.hunting = Hunting::no, s.reason = SetPointReason::loop_unstable, s;
+        if (stop.end == End::failure)
+            return s.hunting = Hunting::undecided, s.reason = SetPointReason::not_converged, s;
+        if (stop.end != End::stop || !(stop.stick_time < infinity)) return s.hunting = Hunting::no, s;
+        x = stop.x;
+        if (i % watched == 0) distance.clear(), slip.clear(), stick.clear();
+        distance.push_back(std::abs(x));
+        slip.push_back(stop.slip_time);
+        stick.push_back(stop.stick_time);
+        if (i % watched != watched - 1) continue;
+        const auto [least, most] = std::minmax_element(distance.begin(), distance.end());
+        const double before = std::exchange(spread, (*most - *least) / *most);
+        s.amplitude = *most;
+        if (spread <= even || spread > shrinks * before) break;
+    }
+    s.asymmetric = spread > even;
+    if (s.asymmetric) return s;
+    s.amplitude = mean(distance);
+    s.slip_time = mean(slip), s.stick_time = mean(stick);
+    s.period = 2 * (s.slip_time + s.stick_time);
+    return s;
+}
+
+/// What starts on one side of the set point come to.
+SetPoint hunting_from(const SampledStops& motion, double side, double natural, double dead_zone, int per_decade)
+{
+    SetPoint none;
+    none.method = SetPointMethod::simulated;
+    none.hunting = Hunting::no;
+    const double least = std::max(motion.least_start(side), motion.least_start(-side));
+    const double low = natural * std::pow(10, -decades_below);
+    const double high = std::max(natural, least) * std::pow(10, decades_above);
+    const int n = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
+    none.reason = least > dead_zone ? SetPointReason::held
+                  : dead_zone > 0   ? SetPointReason::dead_zone
+                                    : SetPointReason::slips_shrink;
+    none.rest_error = std::max(least, 0.0);
+    none.searched_from = least + low, none.searched_to = least + high;
+    double largest = -infinity, outer = missing;
+    bool all_followed = true, any = false, grows = false, held_beyond = false;
+    for (int i = n; i >= 0; --i) {
+        const double x = side * (least + low * std::pow(high / low, static_cast<double>(i) / n));
+        const auto stop = motion.slip_from(x);
+        ++none.starts;
+        all_followed = all_followed && stop.end != End::failure;
+        any = any || stop.end != End::held;
+        const double f = growth(stop, x);
+        largest = std::max(largest, f);
+        held_beyond = held_beyond || (stop.end == End::held && std::isnan(outer));
+        if (f > 0 && std::isnan(outer)) {  // from so far away: limits let it wind up, or its cycle lies still further
+            grows = true;
+            continue;
+        }
+        if (f > 0) {
+            auto s = followed(motion, outer);
+            if (s.hunting == Hunting::no && !s.diverges()) {
+                s = followed(motion, x);  // a jump of the map lies between the two
+                if (s.hunting == Hunting::no && !s.diverges()) return none;
+            }
+            s.rests_nearby = s.hunting == Hunting::yes && none.rest_error > 0;
+            return s;
+        }
+        if (f <= 0 && std::isnan(outer)) none.searched_to = std::abs(x);
+        if (f <= 0) outer = x;
+    }
+    if (std::isnan(outer) && grows && !held_beyond) return none.reason = SetPointReason::loop_unstable, none;
+    if (!any || (std::isnan(outer) && grows)) {
+        none.reason = SetPointReason::held, none.rest_error = infinity;
+        return none;
+    }
+    if (!all_followed) none.hunting = Hunting::undecided, none.reason = SetPointReason::not_converged;
+    none.largest_ratio = std::exp(largest);
+    return none;
+}
+
+}  // namespace
+
+SetPoint hunting_by_simulation(const SampledStops& motion, double natural, double dead_zone, int per_decade)
+{
+    const auto before = hunting_from(motion, -1, natural, dead_zone, per_decade);
+    if (!motion.one_sided() || before.hunting == Hunting::yes) return before;
+    const auto behind = hunting_from(motion, 1, natural, dead_zone, per_decade);
+    if (behind.hunting == Hunting::yes || before.hunting == Hunting::no) return behind;
+    return before;
+}
+
+SetPoint resting_by_simulation(const SampledStops& motion)
+{
+    constexpr double starts[] = {1.1, 3, 10, 30, 100};  // of the band
+    const double band = std::max(motion.band(1), motion.band(-1));
+    SetPoint s;
+    s.method = SetPointMethod::simulated;
+    s.hunting = Hunting::no;
+    s.reason = SetPointReason::no_integral_action;
+    s.rest_error = band;
+    s.searched_from = starts[0] * band, s.searched_to = *std::rbegin(starts) * band;
+    for (const double side : {-1.0, 1.0})
+        for (const double share : starts) {
+            const auto stop = motion.release_from(side * share * band);
+            ++s.starts;
+            if (stop.end == End::stop || stop.end == End::settled || stop.end == End::held) continue;
+            s.rest_error = missing;
+            s.hunting = Hunting::undecided, s.reason = SetPointReason::not_converged;
+            if (stop.end == End::runaway) s.hunting = Hunting::no, s.reason = SetPointReason::loop_unstable;
+            if (stop.end == End::moves) {
+                s.hunting = Hunting::yes, s.reason = SetPointReason::driven_cycle;
+                s.amplitude = stop.x;
+                s.rests_nearby = true;
+            }
+            return s;
+        }
+    return s;
+}
+
+}  // namespace stickslip

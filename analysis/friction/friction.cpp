@@ -147,8 +147,7 @@ double static_force(const Friction& friction)
 
 std::string Friction::problem() const
 {
-    const bool static_law = static_parts(law, 1).has_value();
-    if ((has_bristle() || has_lag()) && !static_law)
+    if ((has_bristle() || has_lag()) && !static_parts(law, 1))
         return std::string(has_bristle() ? "bristle" : "memory.lag") +
                " needs a static law (coulomb-viscous, kinetic-static or stribeck), got " + std::string(info(law).name);
     if (stickslip::states(*this) > max_states)

@@ -13,12 +13,13 @@ enum class DesignStage { best, requirements, front, velocity_only };
 /// One pair of gains and what it brings.
 struct GainChoice {
     double k_p = missing, k_v = missing;
-    double motion_noise = missing;    ///< rms motion of the link that sensor noise causes
-    double effort_noise = missing;    ///< rms command that sensor noise causes
-    double peak_effort = missing;     ///< |steady effort| and the stated multiple of effort_noise
-    double margin = missing;          ///< distance to the nearest boundary; negative: unstable
-    double least_velocity = missing;  ///< from here up to V_0 sliding is stable
-    double cost = missing;            ///< what was minimised
+    double motion_noise = missing;       ///< rms motion of the link that sensor noise causes
+    double effort_noise = missing;       ///< rms command that sensor noise causes
+    double peak_effort = missing;        ///< |steady effort| and the stated multiple of effort_noise
+    double steady_deflection = missing;  ///< how far the link is behind its reference in steady sliding, signed
+    double margin = missing;             ///< distance to the nearest boundary; negative: unstable
+    double least_velocity = missing;     ///< from here up to V_0 sliding is stable
+    double cost = missing;               ///< what was minimised
 };
 
 /// A requirement, what was specified, and what the best gains achieve.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stickslip {
 namespace {
@@ -28,16 +29,30 @@ void measure_arrival(MotionMeasures& m, Rows time, Rows reference, Rows position
     if (outside < position.size()) m.settling_time = std::max(0.0, time[outside] - time[stop]);
 }
 
+/// Of the largest position: less between two rows is mostly their rounding, and says nothing of a speed.
+constexpr double told_apart = 1e3 * std::numeric_limits<double>::epsilon();
+
+double largest(Rows values)
+{
+    double most = 0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    return most;
+}
+
 /// A stop is one of a stair where the joint moved before it and moves on after it, both in the reference's direction:
-/// at a turning point every joint stands.
+/// at a turning point every joint stands. Speeds are those between rows over which the reference moves by more than the
+/// rounding of positions: solvers take steps of 1e-16 s where a slip begins.
 void measure_stairs(MotionMeasures& m, Rows time, Rows reference, Rows position, std::size_t stop)
 {
     bool stopped = false, moved = false, of_a_stair = false, after_a_stair = false, forward = true;
     double stop_time = 0, stop_place = 0, last_time = 0, last_place = 0, heights = 0, durations = 0;
     int steps = 0;
-    for (std::size_t i = 1; i <= stop; ++i) {
-        const double commanded = reference[i] - reference[i - 1], made = std::abs(position[i] - position[i - 1]);
-        if (commanded == 0) continue;
+    const double least = told_apart * std::max(largest(reference), largest(position));
+    for (std::size_t i = 1, from = 0; i <= stop; ++i) {
+        if (reference[i] == reference[i - 1]) from = i;  // stands: what is made meanwhile is no stair's
+        const double commanded = reference[i] - reference[from], made = std::abs(position[i] - position[from]);
+        if (std::abs(commanded) <= least) continue;
+        from = i;
         if ((commanded > 0) != forward) forward = commanded > 0, moved = of_a_stair = after_a_stair = false;
         if (!stopped && made < stop_share * std::abs(commanded)) {
             stopped = true, of_a_stair = moved;

@@ -1,12 +1,11 @@
 #include "analysis/simulation/simulate.h"
 
 #include "analysis/base/require_valid.h"
-#include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/simulation/flows/mode.h"
 #include "analysis/simulation/mirrored.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
-#include "analysis/simulation/solvers/motion.h"
+#include "analysis/simulation/solvers/trajectory_rows.h"
 #include "analysis/stability/steady.h"
 
 #include <algorithm>
@@ -73,45 +72,6 @@ double size_of(const SimulateOptions& options, double by_default)
     const bool forced = !options.force.value.empty() || !options.normal_load.value.empty();
     const bool start = options.disturbance.kind == DisturbanceKind::start;
     return forced && !start ? 0 : by_default;
-}
-
-void keep(double t, double x, double V, double friction, bool stuck, Trajectory& path)
-{
-    path.time.push_back(t);
-    path.position.push_back(x);
-    path.velocity.push_back(V);
-    path.friction.push_back(friction);
-    path.stuck.push_back(stuck);
-}
-
-void keep(const SlidingFlow&, const Instant& now, Trajectory& path)
-{
-    const auto& flow = static_cast<const SlidingFlow&>(now.flow);
-    States theta{};
-    for (int i = 0; i < flow.states; ++i) {
-        theta[i] = now.y[2 + i];
-        path.states[i].push_back(theta[i]);
-    }
-    const double friction =
-        now.stuck ? flow.holding_force(now.y[0]) : respond(flow.friction, now.velocity, theta).force;
-    keep(now.t, now.y[0], now.velocity, friction, now.stuck, path);
-}
-
-void keep(const ChainFlow& flow, const Instant& now, Trajectory& path)
-{
-    const auto& link = flow.body[flow.link()];
-    for (int i = 0; i < link.states; ++i) path.states[i].push_back(now.y[link.first_state + i]);
-    const auto& moving = static_cast<const ChainFlow&>(now.flow);
-    keep(now.t, flow.position(now.y), now.velocity, moving.link_friction(now.y), moving.link_stuck(), path);
-}
-
-void keep(const DelayedFlow& flow, const Instant& now, Trajectory& path)
-{
-    const auto& chain = flow.chain();
-    const auto& link = chain.body[chain.link()];
-    for (int i = 0; i < link.states; ++i) path.states[i].push_back(now.y[link.first_state + i]);
-    const auto& moving = static_cast<const DelayedFlow&>(now.flow);
-    keep(now.t, flow.position(now.y), now.velocity, moving.link_friction(now.y), moving.link_stuck(), path);
 }
 
 int link_states(const SlidingFlow& flow)
@@ -189,10 +149,16 @@ void follow(AnyFlow& flow, const SimulateOptions& options, Trajectory& path)
     const bool one_step = options.fallback_only || parts.size() > most_cvode_pieces;
     flow.surround(parts.front().force, parts.front().normal_load);
     SlidingMotion motion(flow, one_step ? Solver::rodas5p : Solver::cvode, rtol);
-    motion.observe([&](const Instant& now) { keep(flow, now, path); });
+    bool jumps = false;  // to what holds from the next instant on: both sides of a jump have their row
+    motion.observe([&](const Instant& now) {
+        const double t = jumps ? std::nextafter(now.t, infinity) : now.t;
+        keep_row(flow, {t, now.y, now.velocity, now.stuck, now.flow}, path);
+    });
     motion.start(start);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i > 0) motion.surround(parts[i].force, parts[i].normal_load);
+        jumps = i > 0;
+        if (jumps) motion.surround(parts[i].force, parts[i].normal_load);
+        jumps = false;
         if (motion.advance(parts[i].end, most_steps)) continue;
         path.reason = Reason::solver_failed;
         break;

@@ -17,6 +17,20 @@ struct IdleAxis {
     bool at_rest = false;       ///< no answer at a set point depends on it, or, with `matters`, has a place for it
 };
 
+/// Whether the joint has the parameter and the theory leaves it out: what it does is not judged.
+inline bool is_left_out(const IdleAxis& axis)
+{
+    if (axis.at_rest) return axis.matters;
+    return axis.why && *axis.why != WhyNot::overruled && *axis.why != WhyNot::other_kind &&
+           *axis.why != WhyNot::no_feedback;
+}
+
+/// Whether what is answered along the axis may be wrong; `simulated`: outcomes beside the linear theory follow it.
+inline bool may_be_wrong_along(const IdleAxis& axis, bool simulated)
+{
+    return axis.matters && !simulated;
+}
+
 /// Axes along which no linear answer changes at this joint, tried at their ends and between them wherever there is an
 /// answer. In the order of the axes.
 std::vector<IdleAxis> idle_axes(const Joint& joint, const std::vector<Axis>& axes);

@@ -17,7 +17,9 @@ std::string outside_text(const LocatedRay& ray, Units units)
     if (!ray.outside) return "";
     const auto& o = *ray.outside;
     const auto quantity = ray.axis.quantity;
-    if (!o.nearest) return " None lies within " + range_text(o.low, o.high, quantity, units, low_to_high) + " either.";
+    // of points without a verdict, and of what lies between those that were looked at, nothing is known
+    if (!o.nearest)
+        return " None was found within " + range_text(o.low, o.high, quantity, units, low_to_high) + " either.";
     return " The nearest one outside lies at " + ray.axis.symbol + " = " +
            with_unit(o.nearest->value, quantity, units, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
 }

@@ -97,6 +97,7 @@ std::vector<std::string> row_of(const char* name, const GainChoice& c, const Gai
             c.margin < 0 ? "unstable" : u.position(c.motion_noise),
             u.effort(c.effort_noise),
             u.effort(c.peak_effort),
+            u.position(c.steady_deflection),
             margin_text(c.margin, d),
             c.margin < 0 ? "–" : u.velocity(c.least_velocity)};
 }
@@ -126,9 +127,10 @@ std::string design_verdict_text(const DesignAnswer& a)
         return low_limit(a.joint, commanded_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
                                                                : "No design: the joint has no steady sliding.";
     if (!d.feasible) return infeasible_text(a, u) + loop_text(a.loop);
-    std::string text = "Best gains: " + gains_text(d.best, u) + ". Sensor noise moves the link by " +
-                       u.position(d.best.motion_noise) + " rms and the actuator by " + u.effort(d.best.effort_noise) +
-                       " rms. ";
+    std::string text = "Best gains: " + gains_text(d.best, u) + ". Steady sliding stays " +
+                       u.position(std::abs(d.best.steady_deflection)) +
+                       " behind the reference. Sensor noise moves the link by " + u.position(d.best.motion_noise) +
+                       " rms and the actuator by " + u.effort(d.best.effort_noise) + " rms. ";
     return text + nearest_text(a.nearest, units_of(a.joint)) + " " + cost_of_simple_thinking(a, u) + loop_text(a.loop);
 }
 
@@ -147,8 +149,15 @@ std::vector<Table> design_tables(const DesignAnswer& a)
     if (!d.decided) return {};
     Table choices;
     choices.title = "Choices, all evaluated with memory";
-    choices.columns = {"gains",       "k_{p}",  "k_{v}",         "motion noise, rms", "effort noise, rms",
-                       "peak effort", "margin", "stable down to"};
+    choices.columns = {"gains",
+                       "k_{p}",
+                       "k_{v}",
+                       "motion noise, rms",
+                       "effort noise, rms",
+                       "peak effort",
+                       "steady deflection",
+                       "margin",
+                       "stable down to"};
     choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, d, u),
                     row_of("velocity-only model", d.velocity_only, d, u), row_of("as in the joint", d.as_joint, d, u)};
     Table requirements;

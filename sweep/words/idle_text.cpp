@@ -4,13 +4,6 @@
 
 namespace stickslip {
 
-bool is_left_out(const IdleAxis& axis)
-{
-    if (axis.at_rest) return axis.matters;
-    return axis.why && *axis.why != WhyNot::overruled && *axis.why != WhyNot::other_kind &&
-           *axis.why != WhyNot::no_feedback;
-}
-
 std::string idle_words(const IdleAxis& axis)
 {
     if (axis.at_rest)
@@ -26,7 +19,7 @@ void tell_idle(const std::vector<IdleAxis>& idle, bool simulated, Report& report
 {
     using Tone = Headline::Tone;
     for (const auto& axis : idle) {
-        const bool warns = axis.matters && !simulated;
+        const bool warns = may_be_wrong_along(axis, simulated);
         auto text = idle_words(axis);
         text[0] = static_cast<char>(text[0] - 'a' + 'A');
         text += simulated && is_left_out(axis) ? "; only simulated outcomes follow it."

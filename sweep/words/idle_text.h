@@ -7,9 +7,6 @@
 
 namespace stickslip {
 
-/// Whether the joint has the parameter and the theory leaves it out: what it does is not judged.
-bool is_left_out(const IdleAxis& axis);
-
 /// "the linear theory has no term for load.gravity_amplitude (it depends on position: …)".
 std::string idle_words(const IdleAxis& axis);
 

@@ -15,7 +15,7 @@ std::string resistance_words(const Joint& joint, double friction)
     const double warmed = warming(joint), gravity = std::abs(joint.load.gravity_amplitude);
     if (warmed > 0) text += " and up to " + effort(warmed) + " more by drift";
     if (joint.load.constant != 0) text += ", constant load " + effort(joint.load.constant);
-    if (gravity != 0) text += ", gravity up to " + effort(gravity);
+    if (gravity != 0) text += ", gravity up to " + effort(gravity) + ", where it pulls most in a whole turn";
     return text;
 }
 

@@ -89,3 +89,56 @@ TEST_CASE("folds along the position gain are looked for in joints of several bod
         CHECK(run.output.find("evaluations") != std::string::npos);
     }
 }
+
+TEST_CASE("boundary refuses one path along two axes", "[program][boundary]")
+{
+    const std::string ask = "boundary examples/02-ball-screw/joint-with-memory.toml --kind linear --along ";
+    const auto twice = stickslip(ask + "control.k_p=1e4..1e5 --along control.k_p=1e5..1e6");
+    INFO(twice.output);
+    CHECK(twice.exit_code == 2);
+    CHECK_THAT(twice.output, Contains("--along: got control.k_p twice, expected different axes"));
+    CHECK(stickslip(ask + "control.k_p=1e4..1e5 --along control.k_v=1..100").exit_code == 0);
+}
+
+TEST_CASE("gains that evaluate does not search in a loop are found where it says", "[program][boundary]")
+{
+    // force control through a transmission, with dead time; another program finds the edges 67.0178 and 247.3689 kN/m
+    const Folder folder;
+    const auto joint = folder.write("joint.toml", R"([joint]
+motion = "prismatic"
+model = "two-mass"
+motor_inertia = 0.5
+link_inertia = 1.0
+transmission = { stiffness = 1e5, damping = 5.0 }
+[control]
+kind = "force"
+k_p = 2.0e5
+k_v = 10.0
+force_rate = 200.0
+force_gain = 0.5
+delay = 1e-3
+contact_stiffness = 1e4
+[friction.motor]
+law = "coulomb-viscous"
+coulomb = 1.0
+viscous = 5.0
+[friction.link]
+law = "rate-and-state"
+f0 = 60
+A = 1.0
+B = 1.5
+L = 1e-5
+V_star = 1e-3
+)");
+    const auto told = stickslip("evaluate '" + joint + "'");
+    INFO(told.output);
+    CHECK_THAT(told.output, Contains("not searched in this loop: boundary --along control.k_p finds it"));
+    const auto found =
+        Json::parse(stickslip("boundary '" + joint + "' --along control.k_p --kind linear --json").output);
+    const auto& points = found["lines"][0]["points"];
+    REQUIRE(points.size() == 2);
+    CHECK(points[0]["value"].get<double>() == Approx(67017.8).epsilon(1e-6));
+    CHECK(points[0]["direction"] == -1);
+    CHECK(points[1]["value"].get<double>() == Approx(247368.9).epsilon(1e-6));
+    CHECK(points[1]["direction"] == 1);
+}

@@ -26,6 +26,10 @@ TEST_CASE("design finds gains, their front, and what velocity-only thinking cost
     CHECK(json["best"]["margin"].get<double>() >= 1 - 1e-5);
     CHECK(json["best"]["peak_effort"].get<double>() <= 80 * (1 + 1e-5));
     CHECK(json["best"]["k_p"].get<double>() >= 2e4 * (1 - 1e-9));
+    // the spring of the position gain carries the 60 N of friction; so it does with the joint's own gains
+    for (const char* choice : {"best", "velocity_only", "as_joint"})
+        CHECK(json[choice]["steady_deflection"].get<double>() ==
+              Approx(60 / json[choice]["k_p"].get<double>()).epsilon(1e-9));
     // (B − A)/V_0 = 500 N·s/m is the least that velocity-only theory allows
     CHECK(json["velocity_only"]["k_v"].get<double>() > 500);
     CHECK(json["velocity_only"]["motion_noise"].get<double>() >= 0.999 * json["best"]["motion_noise"].get<double>());

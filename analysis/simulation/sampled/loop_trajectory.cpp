@@ -3,6 +3,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/sampled/closed_loop/loop_mode.h"
 #include "analysis/simulation/sampled/closed_loop/loop_start.h"
+#include "analysis/simulation/solvers/trajectory_rows.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
 
@@ -98,7 +99,7 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
     }
     const auto keep = [&](double t, const double* y, const DrivenJoint& j) {
         const int link = j.link();
-        path.time.push_back(t);
+        path.time.push_back(time_of_row(t, path));
         path.position.push_back(y[link] - origin);
         path.velocity.push_back(j.velocity(y, link));
         path.friction.push_back(j.link_friction(y));

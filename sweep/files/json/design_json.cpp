@@ -15,6 +15,7 @@ nlohmann::ordered_json choice_json(const GainChoice& c)
             {"motion_noise", json_number(c.motion_noise)},
             {"effort_noise", json_number(c.effort_noise)},
             {"peak_effort", json_number(c.peak_effort)},
+            {"steady_deflection", json_number(c.steady_deflection)},
             {"margin", json_number(c.margin)},
             {"least_velocity", json_number(c.least_velocity)},
             {"cost", json_number(c.cost)}};

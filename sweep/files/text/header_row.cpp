@@ -1,6 +1,7 @@
 #include "sweep/files/text/header_row.h"
 
 #include "sweep/files/text/csv_cells.h"
+#include "sweep/files/text/units.h"
 
 #include <algorithm>
 
@@ -44,10 +45,15 @@ std::vector<std::string> header_names(std::string_view line, char separator)
 
 std::pair<std::string, std::string> name_and_unit(std::string_view column)
 {
-    const auto from = column.find('[');
-    if (from == std::string_view::npos || !column.ends_with(']')) return {std::string(column), ""};
-    return {std::string(trimmed(column.substr(0, from))),
-            std::string(trimmed(column.substr(from + 1, column.size() - from - 2)))};
+    const auto parts_at = [&](std::size_t from) {
+        return std::pair(std::string(trimmed(column.substr(0, from))),
+                         std::string(trimmed(column.substr(from + 1, column.size() - from - 2))));
+    };
+    const auto square = column.find('['), round = column.find('(');
+    if (square != std::string_view::npos && column.ends_with(']')) return parts_at(square);
+    if (round != std::string_view::npos && column.ends_with(')'))
+        if (auto parts = parts_at(round); parse_unit(parts.second).error.empty()) return parts;
+    return {std::string(column), ""};
 }
 
 }  // namespace stickslip::files

@@ -18,7 +18,8 @@ char separator_of(std::string_view line);
 /// The names of a header row, without their quotation marks.
 std::vector<std::string> header_names(std::string_view line, char separator);
 
-/// "position [deg]": the name and the unit, which is empty where none stands there.
+/// "position [deg]", "position (deg)": the name and the unit, which is empty where none stands there. Round brackets
+/// hold a unit only where it is one: "position (link)" is a name.
 std::pair<std::string, std::string> name_and_unit(std::string_view column);
 
 }  // namespace stickslip::files

@@ -2,6 +2,7 @@
 
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/csv_cells.h"
+#include "sweep/files/text/header_row.h"
 #include "sweep/files/text/line_stream.h"
 #include "sweep/files/text/toml_input.h"
 #include "sweep/files/text/units.h"
@@ -34,21 +35,6 @@ std::string_view unquoted(std::string_view cell)
     return cell.size() > 1 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
 }
 
-/// "normal_load" of "normal_load [N]".
-std::string_view name_of(std::string_view cell)
-{
-    cell = unquoted(cell);
-    return trimmed(cell.substr(0, cell.find('[')));
-}
-
-/// "N" of "normal_load [N]", empty where there is none.
-std::string_view unit_text_of(std::string_view cell)
-{
-    cell = unquoted(cell);
-    const auto open = cell.find('['), close = cell.rfind(']');
-    return open == cell.npos || close == cell.npos || close < open ? "" : cell.substr(open + 1, close - open - 1);
-}
-
 struct Column {
     std::size_t index;
     Unit unit{};
@@ -61,7 +47,7 @@ struct Columns {
 
 Unit unit_of_column(std::string_view cell, const std::optional<SeriesQuantity>& quantity, const std::string& place)
 {
-    const auto text = unit_text_of(cell);
+    const auto text = files::name_and_unit(unquoted(cell)).second;
     if (text.empty() || !quantity) return {};
     const auto reading = unit_for(text, quantity->quantity, quantity->units);
     if (!reading.error.empty()) throw BadInput(place + ": column " + std::string(cell) + ": " + reading.error);
@@ -74,7 +60,7 @@ Columns named(const std::vector<std::string_view>& header, std::string_view colu
 {
     const auto find = [&](std::string_view wanted) {
         for (std::size_t i = 0; i < header.size(); ++i)
-            if (name_of(header[i]) == wanted) return i;
+            if (files::name_and_unit(unquoted(header[i])).first == wanted) return i;
         return header.size();
     };
     Columns columns;

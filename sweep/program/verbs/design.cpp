@@ -98,7 +98,7 @@ int design(const Options& options, const Invocation& invocation)
     answer.requirements = read_requirements(options.input, described, options.requirements);
     const ThreadLimit limit(options.threads);
     set_search_effort(options.effort);
-    std::optional<StageLine> line(std::in_place, "--effort 0.1 searches less", std::chrono::seconds(1));
+    std::optional<StageLine> line(std::in_place, searches_less(options.effort), std::chrono::seconds(1));
     try {
         answer.range = gain_range(answer.joint, answer.requirements);
         answer.design = design_gains(answer.joint, answer.requirements, line->counted(parallel_for_each),

@@ -118,7 +118,7 @@ int evaluate(const Options& options, const Invocation& invocation)
     set_search_effort(options.effort);
     std::filesystem::path page;
     const JointEvaluation e = [&] {
-        StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
+        StageLine line(searches_less(options.effort), std::chrono::seconds(1));
         auto found = evaluate_joint(question, [&](EvaluationStage stage) { line.stage(stage_words(stage)); });
         line.stage("what its page draws");
         if (!options.directory.empty()) page = write_page(found, options.directory, invocation.command);

@@ -39,7 +39,7 @@ MarginsAnswer answered(const Options& options, const std::string& command)
     const auto left_out = options.ideal_loop ? leave_loop_out(asked) : std::nullopt;
     say_no_sliding(options.input, options.settings, asked.design);
     set_search_effort(options.effort);
-    StageLine line("--effort 0.1 searches less", std::chrono::seconds(1));
+    StageLine line(searches_less(options.effort), std::chrono::seconds(1));
     line.stage("the nearest boundary in all directions");
     auto answer = margins_of(asked.design);
     answer.title = asked.spec.title;

@@ -57,6 +57,11 @@ void StageLine::stage(std::string what, double done)
     if (terminal_ && drawn_) draw();
 }
 
+std::string searches_less(double effort)
+{
+    return fmt::format("--effort {:.3g} searches less", effort / 10);
+}
+
 StageProgress StageLine::listener(std::string about)
 {
     return [this, about = std::move(about)](DiagnosisStage begins, double done) {

@@ -15,6 +15,9 @@
 
 namespace stickslip {
 
+/// How to have an answer sooner than with this effort.
+std::string searches_less(double effort);
+
 class StageLine {
   public:
     using Interval = std::chrono::milliseconds;

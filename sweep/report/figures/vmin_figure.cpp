@@ -20,7 +20,7 @@ Figure vmin_figure(const Joint& joint, const LinearDetails& details)
     std::string slowest, said;
     for (const auto& line : details.least_velocities) {
         const auto gain = with_unit(line.k_v, Quantity::velocity_gain, units);
-        const std::string from = std::isnan(line.here) ? "no velocity is stable up to the highest searched"
+        const std::string from = std::isnan(line.here) ? "sliding at the highest velocity searched is unstable"
                                  : line.here == low    ? "all searched velocities are stable"
                                                        : "sliding is stable from " +
                                                           with_unit(line.here, Quantity::velocity, units) + " upwards";
@@ -36,7 +36,7 @@ Figure vmin_figure(const Joint& joint, const LinearDetails& details)
                            range_text(low, high, Quantity::velocity, units) +
                            ": the limit of position resolution and, times the stiffness of the contact, of force "
                            "resolution (§6). A line at the lower edge: all searched velocities are stable; no line: "
-                           "stick-slip up to the highest.");
+                           "sliding at the highest is unstable.");
 }
 
 }  // namespace stickslip

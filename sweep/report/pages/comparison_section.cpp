@@ -44,9 +44,13 @@ Figure demand_figure(const Joint& joint, const LinearDetails& d)
 std::string enough_words(const LinearDetails& details, const GainWords& words)
 {
     double least = infinity;
-    for (const auto& line : details.least_velocities)
+    std::string tried;
+    for (const auto& line : details.least_velocities) {
         if (line.here == searched_speeds(details.study).low) least = std::min(least, line.k_v);
-    return least < infinity ? "k_{v} = " + words.damping(least) + " is enough" : "–";
+        tried += (tried.empty() ? "" : ", ") + words.damping(line.k_v);
+    }
+    if (least < infinity) return "k_{v} = " + words.damping(least) + " is enough";
+    return tried.empty() ? "–" : "not searched; not enough: " + tried;
 }
 
 Table comparison_table(const Joint& joint, const LinearDetails& details)

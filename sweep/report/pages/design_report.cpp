@@ -56,6 +56,8 @@ std::vector<Headline> headlines(const DesignAnswer& a, const DesignUnits& u)
     std::vector<Headline> list;
     list.push_back({Tone::neutral, u.stiffness(d.best.k_p), "position gain k_{p}"});
     list.push_back({Tone::neutral, u.damping(d.best.k_v), "velocity gain k_{v}"});
+    list.push_back(
+        {Tone::neutral, u.position(std::abs(d.best.steady_deflection)), "steady deflection behind the reference"});
     list.push_back({Tone::neutral, u.position(d.best.motion_noise), "rms motion from sensor noise"});
     for (const auto& r : d.requirements)
         list.push_back(

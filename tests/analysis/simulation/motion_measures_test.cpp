@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "analysis/base/field.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/motion_measures.h"
+#include "analysis/simulation/simulate.h"
+#include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
 
@@ -60,4 +63,50 @@ TEST_CASE("a joint that stands at its turning points makes no stairs", "[simulat
     const auto m = measure_motion(time, reference, position);
     CHECK(m.stairs == 0);
     CHECK(!is_set(m.stair_height));
+}
+
+TEST_CASE("steps in which a position moves by less than its rounding are no stairs", "[simulation][measures]")
+{
+    // stairs of 0.4 m at 1 mm/s that drift on at 1 % of it, with 1000 rows of 1e-16 s where each slip begins
+    std::vector<double> time, reference, position;
+    const auto add = [&](double t, double y) {
+        if (!time.empty() && t <= time.back()) return;
+        time.push_back(t), reference.push_back(1e-3 * t), position.push_back(y);
+    };
+    for (int stair = 0; stair < 8; ++stair) {
+        const double t0 = 400 * stair, y0 = 0.4 * stair;
+        for (int i = 0; i < 390; ++i) add(t0 + i, y0 + 1e-5 * i);
+        for (int i = 1; i < 1000; ++i) add(t0 + 389 + i * 1e-13, y0 + 389e-5 + i * 1e-15);
+        for (int i = 0; i < 100; ++i) add(t0 + 390 + i * 0.1, y0 + 3.9e-3 + 0.3961 * i / 100);
+    }
+    const auto m = measure_motion(time, reference, position);
+    CHECK(m.stairs == 7);
+    CHECK(m.stair_height == Approx(0.4).epsilon(1e-2));
+    CHECK(m.stair_rate == Approx(1 / 400.0).epsilon(1e-2));
+}
+
+TEST_CASE("stairs of relaxation cycles are those that its verdict tells, and times rise", "[simulation][measures]")
+{
+    Joint joint = example_joint(200, 10, 1e-3);
+    auto& law = std::get<RateAndState>(joint.friction.law);
+    law.B[0] = 5;
+    const auto verdict = nonlinear_verdict(joint, {});
+    REQUIRE(is_set(verdict.period));
+    SimulateOptions options;
+    options.duration = 5 * verdict.period;
+    const auto path = simulate(joint, options);
+    REQUIRE(path.reason == Reason::none);
+    CHECK(std::adjacent_find(path.time.begin(), path.time.end(), std::greater_equal<>()) == path.time.end());
+    std::vector<double> reference, position;
+    for (std::size_t i = 0; i < path.time.size(); ++i) {
+        reference.push_back(1e-3 * path.time[i]);
+        position.push_back(reference.back() + path.position[i]);
+    }
+    // from the second cycle on: the first begins with the spring that steady sliding stretches
+    const auto from = static_cast<std::size_t>(std::upper_bound(path.time.begin(), path.time.end(), verdict.period) -
+                                               path.time.begin());
+    const auto rows = [from](const std::vector<double>& all) { return std::span(all).subspan(from); };
+    const auto m = measure_motion(rows(path.time), rows(reference), rows(position));
+    CHECK(m.stair_rate == Approx(1 / verdict.period).epsilon(1e-2));
+    CHECK(m.stair_height == Approx(1e-3 * verdict.period).epsilon(1e-2));
 }

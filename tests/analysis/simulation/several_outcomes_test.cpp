@@ -141,6 +141,11 @@ TEST_CASE("what keeps a joint from having an outcome has a code of its own, in s
     CHECK(is_open(example_joint(-10, 0, 1e-3), Reason::diverges));
     CHECK(is_open(example_joint(0, 0, 1e-3), Reason::diverges));
     CHECK(is_open(example_joint(1e4, -1001, 1e-3), Reason::diverges));
+    // a late loop runs away from a spring of 450 N/m and a damper of 5 N·s/m: no lack of either is said of it
+    Joint late = stribeck_joint(450, 5, 1e-3);
+    late.control.delay = 5e-3;
+    late.control.k_i = 1e5;
+    CHECK(nonlinear_verdict(late, {}).reason == Reason::diverges);
     Joint undamped = stribeck_joint(1e4, 0, 1e-3);
     undamped.friction.law = KineticStatic{8, 14};
     CHECK(is_open(undamped, Reason::neutral));

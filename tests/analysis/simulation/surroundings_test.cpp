@@ -108,6 +108,13 @@ TEST_CASE("a load that falls lets a stuck mass go at once", "[simulation]")
     CHECK(stuck_from > 1);
     CHECK(stuck_from < 1.01);
     CHECK(stuck_to == Approx(2));
+    // the instant of the jump has both its sides: stuck under the load before it, sliding under the next
+    const auto after = std::upper_bound(motion.time.begin(), motion.time.end(), 2.0) - motion.time.begin();
+    CHECK(motion.time[after - 1] == 2);
+    CHECK(motion.stuck[after - 1]);
+    CHECK_FALSE(motion.stuck[after]);
+    CHECK(motion.time[after] == Approx(2).epsilon(1e-15));
+    CHECK(std::adjacent_find(motion.time.begin(), motion.time.end(), std::greater_equal<>()) == motion.time.end());
     double fastest = 0;
     for (std::size_t i = 0; i < motion.time.size(); ++i)
         if (motion.time[i] > 2 && motion.time[i] < 2.2) fastest = std::max(fastest, motion.velocity[i]);

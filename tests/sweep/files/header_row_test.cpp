@@ -38,10 +38,14 @@ TEST_CASE("The separator of a table is a comma where its header has one")
     CHECK(files::separator_of("time\tposition") == '\t');
 }
 
-TEST_CASE("A column's unit is in square brackets after its name")
+TEST_CASE("A column's unit is in brackets after its name")
 {
     using Parts = std::pair<std::string, std::string>;
     CHECK(files::name_and_unit("position [mm/s]") == Parts{"position", "mm/s"});
     CHECK(files::name_and_unit("position") == Parts{"position", ""});
     CHECK(files::name_and_unit("a[0] x") == Parts{"a[0] x", ""});
+    CHECK(files::name_and_unit("position (rad)") == Parts{"position", "rad"});
+    CHECK(files::name_and_unit("k_v(N/(m/s))") == Parts{"k_v", "N/(m/s)"});
+    for (const auto* name : {"position (link)", "position (2)", "position ()", "f(x) (N)", "a(m) x"})
+        CHECK(files::name_and_unit(name) == Parts{name, ""});
 }

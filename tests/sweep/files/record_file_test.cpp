@@ -86,6 +86,8 @@ TEST_CASE("a unit may stand in the header behind the name, as in tables of outco
     CHECK(r.position == std::vector<double>{90 * (M_PI / 180), -180 * (M_PI / 180)});
     CHECK(r.velocity == std::vector<double>{1, 3});
     CHECK(r.effort_measured == std::vector<double>{2000, 4000});
+    CHECK(read("time (ms),position (deg),position (old)\n0,90,1\n10,-180,2\n", "", "revolute").record.position ==
+          r.position);
     CHECK_THAT(only_error("time,position [deg],effort_measured\n0,1,2\n"),
                Contains("run.csv:1:1: column \"position [deg]\"") && Contains("expected") && Contains("m"));
     CHECK_THAT(only_error("time,position [furlong],effort_measured\n0,1,2\n"), Contains("furlong"));

@@ -40,6 +40,9 @@ TEST_CASE("units in the header of a series are converted, in either order of the
     const auto kernel = read_series(TemporaryFile("time [ms],g [kN/m]\n0,100\n10,50\n").path, "g", stiffness);
     CHECK(kernel.time == std::vector<double>{0, 0.01});
     CHECK(kernel.value == std::vector<double>{1e5, 5e4});
+    const auto round = read_series(TemporaryFile("time (ms),g (kN/m)\n0,100\n10,50\n").path, "g", stiffness);
+    CHECK(round.time == kernel.time);
+    CHECK(round.value == kernel.value);
     const auto swapped = read_series(TemporaryFile("g,time\n100,0\n50,0.01\n").path, "g", stiffness);
     CHECK(swapped.time == kernel.time);
     CHECK(swapped.value == std::vector<double>{100, 50});

@@ -45,7 +45,7 @@ std::string said_with(std::chrono::milliseconds patience, bool wait_for_words)
         return text.str();
     };
     const ErrorsToFile to_file(file);
-    StageLine line("--effort 0.1 searches less", patience);
+    StageLine line(searches_less(1), patience);
     line.stage("the stable gains");
     while (wait_for_words && said().empty()) usleep(1000);
     return said();
@@ -59,4 +59,6 @@ TEST_CASE("an answer that lasts longer than patience names its stage, a shorter 
     CHECK(said.starts_with("still searching: the stable gains  "));
     CHECK(said.ends_with(" s  (--effort 0.1 searches less)\n"));
     CHECK(said_with(std::chrono::hours(1), false).empty());
+    // with less already, the advice is still one
+    CHECK(searches_less(0.1) == "--effort 0.01 searches less");
 }

@@ -178,6 +178,18 @@ TEST_CASE("options take no number that means nothing", "[program][slow]")
     CHECK(stickslip(joint + "--disturbance start --size 0").exit_code == 0);
 }
 
+TEST_CASE("a name that no robot description can hold is refused", "[program]")
+{
+    for (const char* to : {"mjcf", "urdf", "sdf", "isaaclab", "ros2_control"})
+        for (const char* name : {"a<b>", "a&b", "a\"b", "two words", ""}) {
+            const auto run = stickslip(std::string("export examples/01-reference-joint/spec.toml --to ") + to +
+                                       " --name '" + name + "'");
+            INFO(to << " " << name << run.output);
+            CHECK(run.exit_code == 2);
+            CHECK_THAT(run.output, Contains("the name of the joint: got \"" + std::string(name) + "\""));
+        }
+}
+
 TEST_CASE("a directory that cannot be made is named, and what to do", "[program]")
 {
     const auto run = stickslip("sweep -o /proc/results");

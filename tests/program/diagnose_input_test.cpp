@@ -78,6 +78,17 @@ program::Run diagnose(const Folder& folder, const std::string& text)
 
 }  // namespace
 
+TEST_CASE("a record at rest has no direction that could be the wrong one", "[program][diagnose]")
+{
+    Folder folder;
+    const auto run = diagnose(folder, record([](Row& r) {
+                                  r.reference = 0.1, r.position = 0.09999, r.velocity = 0;
+                                  r.command = 4 * (r.reference - r.position);
+                              }));
+    INFO(run.output);
+    CHECK_THAT(run.output, !Contains("suspected"));
+}
+
 TEST_CASE("a record in a foreign unit is suspected and not explained by a cause", "[program][diagnose][slow]")
 {
     const std::pair<std::string, std::string> cases[] = {
@@ -94,6 +105,7 @@ TEST_CASE("a record in a foreign unit is suspected and not explained by a cause"
         {record([](Row& r) { r.velocity *= 0.1; }), "suspected unit: velocity is 10 times less than"},
         {measured(-1), "suspected sign: effort_measured runs against effort_command"},
         {measured(1000), "suspected unit: effort_measured varies by 1000 times"},
+        {measured(0.125), "suspected unit: effort_measured varies by"},
         {reference_rate(degrees), "suspected unit: reference_velocity is 5"},
         {reference_rate(-1), "suspected sign: reference_velocity runs against"},
         {record([](Row& r) { r.command *= -1; }), "suspected sign: with the gains of the joint"},

@@ -2,25 +2,11 @@
 
 namespace stickslip::gap {
 
-Effect effort_gain()
+namespace {
+
+/// What a voltage or a duty cycle makes of a motor.
+void add_motor_forms(Effect& e)
 {
-    Effect e;
-    e.name = "effort-gain";
-    e.stage = Stage::actuator;
-    e.scales_reading = true;
-    e.form = "(1 + epsilon) u";
-    e.source = "Lynch and Park 2017";
-    e.signature = "proportional to effort";
-    e.confusable = {"inertia", "gain-k_p"};
-    {
-        EffectForm f;
-        f.parameters = {
-            factor_on_number(0.2, 5, 0.2, "true effort per nominal"),
-        };
-        f.apply = [](Joint& j, const double* p) { j.actuator.effort_gain *= p[0]; };
-        f.seeds = {{1.03}, {0.97}};
-        e.forms.push_back(f);
-    }
     {
         EffectForm f;
         f.name = "drive";
@@ -47,6 +33,46 @@ Effect effort_gain()
         f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor && j.actuator.k_e > 0; };
         e.forms.push_back(f);
     }
+}
+
+}  // namespace
+
+Effect effort_gain()
+{
+    Effect e;
+    e.name = "effort-gain";
+    e.stage = Stage::actuator;
+    e.scales_reading = true;
+    e.form = "(1 + epsilon) u";
+    e.source = "Lynch and Park 2017";
+    e.signature = "proportional to effort";
+    e.confusable = {"inertia", "gain-k_p"};
+    {
+        EffectForm f;
+        f.parameters = {
+            factor_on_number(0.2, 5, 0.2, "true effort per nominal"),
+        };
+        f.apply = [](Joint& j, const double* p) { j.actuator.effort_gain *= p[0]; };
+        f.seeds = {{1.03}, {0.97}};
+        e.forms.push_back(f);
+    }
+    {
+        // a drive measures its current, and logs it times the constant that its document has: the effort is another
+        // one, and the log agrees with the command
+        EffectForm f;
+        f.name = "measured current";
+        f.effort_alone = true;  // without a measured effort it is the form above
+        f.parameters = {
+            factor_on_number(0.2, 5, 0.2, "true effort per nominal, of which the measured one shows nothing"),
+        };
+        f.apply = [](Joint& j, const double* p) {
+            j.actuator.effort_gain *= p[0];
+            j.sensor.effort_scale /= p[0];
+        };
+        f.seeds = {{1.03}, {0.97}};
+        e.forms.push_back(f);
+    }
+    add_motor_forms(e);
     return e;
 }
 

@@ -20,11 +20,13 @@ Effect gravity()
     e.source = "Newton 1687";
     e.signature = "even in velocity, sine of position";
     e.confusable = {"sensor-offset", "constant-load", "cogging"};
+    // a documented one of the wrong sign is off by twice its amplitude, of which a record near the bottom feels little
+    constexpr double widest = 10;
     {
         EffectForm f;
         f.name = "amplitude";
         f.parameters = {
-            {"amplitude", Quantity::effort, Scale::load_effort, false, -3, 3, 0.3, "additional m g l"},
+            {"amplitude", Quantity::effort, Scale::load_effort, false, -widest, widest, 0.3, "additional m g l"},
         };
         f.apply = [](Joint& j, const double* p) { add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], 0); };
         f.seeds = {{0}};
@@ -35,8 +37,8 @@ Effect gravity()
         EffectForm f;
         f.name = "phase";
         f.parameters = {
-            {"sine", Quantity::effort, Scale::load_effort, false, -3, 3, 0.3, "additional m g l, sine part"},
-            {"cosine", Quantity::effort, Scale::load_effort, false, -3, 3, 0.3, "cosine part"},
+            {"sine", Quantity::effort, Scale::load_effort, false, -widest, widest, 0.3, "additional m g l, sine part"},
+            {"cosine", Quantity::effort, Scale::load_effort, false, -widest, widest, 0.3, "cosine part"},
         };
         f.apply = [](Joint& j, const double* p) {
             add_wave(j.load.gravity_amplitude, j.load.gravity_phase, p[0], p[1]);

@@ -57,6 +57,11 @@ class Climber {
     /// document.
     std::optional<FittedSet> without_correction(const FittedSet& below, const std::vector<FittedSet>& tried);
 
+    /// On top of a set the numbers of the document that are further off than documents are, where at least two are, all
+    /// fitted at once and held back by nothing: one of them alone beside corrections comes no nearer than an effect
+    /// that imitates them all.
+    std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections) const;
+
     /// The set with those of its corrections as causes that stand at the bound of what a document is off: held back,
     /// they bend what is fitted with them.
     FittedSet freed(FittedSet set);

@@ -60,6 +60,7 @@ LadderSearch::LadderSearch(const Fit& fit, const std::vector<Attribution>& singl
     auto looks = climber_->looks(corrected_);
     find_small_terms(looks);
     first_ = climber_->judged(looks);
+    wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_);
 }
 
 /// The corrections as they are, fitted alone from the floor of the documented joint on.
@@ -113,6 +114,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         begin();
         climber_->forget();
         first_ = climber_->judged(climber_->looks(corrected_));
+        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_);
         set = climbed(pairs, most_rungs, only_noise);
     }
     // each search leads further down a jagged misfit, and what is half way down leaves too much beside its last cause
@@ -163,6 +165,19 @@ FittedSet LadderSearch::with_an_exchange(FittedSet set)
     return better == others.end() ? set : without_idle(in_best_forms(settled(*better)));
 }
 
+FittedSet LadderSearch::with_wrong_numbers(FittedSet set, std::size_t most_rungs) const
+{
+    for (std::size_t i = 0; set.causes.effects.size() > 1 && i < set.causes.effects.size(); ++i) {
+        if (corrections_->same_number(*set.causes.effects[i], *set.causes.forms[i])) continue;
+        const auto less = climber_->without(set, i);
+        auto other = climber_->wrong_numbers(less, *corrections_);
+        if (other && other->causes.effects.size() <= most_rungs &&
+            other->misfit < set.misfit - least_gain(*other, rules_))
+            return without_idle(std::move(*other));
+    }
+    return set;
+}
+
 FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs,
                                 const OnlyNoise& only_noise)
 {
@@ -188,6 +203,11 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             for (auto& s : climber_->judged(climber_->with_hidden_backlash(first_))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
+        // two numbers of the document take the place of one cause where they are distinguished from it
+        if (const auto best = earning();
+            at_start && wrong_numbers_ &&
+            (best == tried.end() || wrong_numbers_->misfit < best->misfit - least_gain(*wrong_numbers_, rules_)))
+            tried.insert(tried.begin(), *wrong_numbers_);
         const auto next = earning();
         const auto other = climber_->without_correction(set, tried);
         if (other && (next == tried.end() || other->misfit < next->misfit))
@@ -202,7 +222,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         ends.push_back(set.causes.effects);
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
-    return set;
+    return with_wrong_numbers(std::move(set), most_rungs);
 }
 
 }  // namespace stickslip::gap

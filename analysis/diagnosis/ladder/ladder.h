@@ -125,6 +125,8 @@ class LadderSearch {
     FittedSet without_idle(FittedSet set) const;
     /// With a cause exchanged for another, if that comes nearer.
     FittedSet with_an_exchange(FittedSet set);
+    /// With numbers of the document in the place of a cause that only imitates them.
+    FittedSet with_wrong_numbers(FittedSet set, std::size_t most_rungs) const;
     FittedSet climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise);
     void correct(FittedSet& set);
     void find_small_terms(std::vector<Start>& looks);
@@ -147,7 +149,8 @@ class LadderSearch {
     FittedSet corrected_;
     std::unique_ptr<SetFitter> fitter_;
     std::unique_ptr<Climber> climber_;
-    std::vector<FittedSet> first_;  ///< causes in place of the first rung, best first
+    std::vector<FittedSet> first_;            ///< causes in place of the first rung, best first
+    std::optional<FittedSet> wrong_numbers_;  ///< of the document, two and more that are further off than documents are
 };
 
 }  // namespace stickslip::gap

@@ -95,7 +95,7 @@ struct Joints {
     FrictionPack<P, typename K::LinkTerms> link;
     LoadOf<P> load;
     ActuatorOf<P> actuator;
-    P position_scale = 1, position_offset = 0, sensor_delay = 0;
+    P position_scale = 1, position_offset = 0, effort_scale = 1, sensor_delay = 0;
     std::array<const FreeForce*, P::lanes> free{};
 
     /// Puts this joint, of this kind, into a lane. It must outlive the lane.
@@ -144,6 +144,7 @@ void Joints<P, K>::load_lane(int lane, const Plant& p)
     actuator.k_t.set(lane, a.k_t), actuator.k_e.set(lane, a.k_e), actuator.resistance.set(lane, a.resistance);
     actuator.supply_resistance.set(lane, a.supply_resistance);
     position_scale.set(lane, p.sensor.position_scale), position_offset.set(lane, p.sensor.position_offset);
+    effort_scale.set(lane, p.sensor.effort_scale);
     sensor_delay.set(lane, p.sensor.delay);
     free[static_cast<std::size_t>(lane)] = &p.free;
 }

@@ -62,7 +62,7 @@ class Mechanics {
     P seen_velocity() const { return kind().feedback_link ? state_.link_velocity : state_.motor_velocity; }
     P reading() const { return joints_.position_scale * seen_position() + joints_.position_offset; }
 
-    /// The effort just after the update at this tick, before the step is taken.
+    /// The effort as it is measured just after the update at this tick, before the step is taken.
     P effort_now()
     {
         constexpr double moment = 1e-9;
@@ -73,7 +73,7 @@ class Mechanics {
             arrived.set(i, (kind().sensor_delay ? l.logged : l.held).mean(t, moment, l.tick));
         }
         if (kind().lag) arrived = kind().sensor_delay ? logged_lagged_ : state_.lagged;
-        return drive_by(arrived).at(state_.motor_velocity).at(state_.motor_velocity);
+        return joints_.effort_scale * drive_by(arrived).at(state_.motor_velocity).at(state_.motor_velocity);
     }
 
     /// Every lane by a tick. Flattened: packs passed by memory cost more than what is done with them.

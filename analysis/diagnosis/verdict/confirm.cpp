@@ -3,6 +3,7 @@
 
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/quality.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr int runs = 3;
 
-/// Best score first. Of the leading ones that explain to within noise, within the margin, the likeliest: their scores
-/// are those of the floor, and tell nothing.
+/// Best score first. Of the leading ones that explain to within noise, within the margin, those with plausible numbers,
+/// and of these the likeliest: their scores are those of the floor, and tell nothing.
 void put_likeliest_first(std::vector<Attribution>& ranked)
 {
     std::stable_sort(ranked.begin(), ranked.end(), better);
@@ -25,7 +26,9 @@ void put_likeliest_first(std::vector<Attribution>& ranked)
     const auto priced = [](const Attribution& a) {
         return a.evidence + policy::price_of_parameter * static_cast<double>(a.candidate.parameter_count());
     };
-    std::stable_sort(ranked.begin(), end, [&](const auto& a, const auto& b) { return priced(a) < priced(b); });
+    std::stable_sort(ranked.begin(), end, [&](const auto& a, const auto& b) {
+        return std::pair(!plausible_numbers(a), priced(a)) < std::pair(!plausible_numbers(b), priced(b));
+    });
 }
 
 double worst_at(const Attribution& a, std::size_t level)

@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
+#include "analysis/diagnosis/verdict/quality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,7 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
     d.named = d.winner != nullptr;
     if (d.named)
         for (const auto& rival : *from)
-            if (&rival != d.winner && rival.refined &&
+            if (&rival != d.winner && rival.refined && plausible_numbers(rival) &&
                 odds_against(*d.winner, rival, rows) >= policy::odds_of_indistinguishable)
                 d.ambiguous.push_back(&rival);
     return d;
@@ -115,7 +116,8 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     const Attribution& first = *all.front().attribution;
     double sum = 0;
     for (auto& r : all) {
-        r.probability = odds_against(first, *r.attribution, rows);
+        const bool rival = r.attribution == &first || plausible_numbers(*r.attribution);
+        r.probability = rival ? odds_against(first, *r.attribution, rows) : 0;
         sum += r.probability;
     }
     std::stable_sort(all.begin() + 1, all.end(),

@@ -36,19 +36,6 @@ void find_errors(const std::vector<Case>& cases, const Attribution& a, const Sca
     }
 }
 
-/// Whether no parameter stands at its bound, or is far larger than usual.
-bool plausible_numbers(const Attribution& a)
-{
-    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(a.candidate.parameter_count()); ++i) {
-        const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
-        const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
-        if (at_bound(p, value) || (!p.logarithmic && p.prior > 0 &&
-                                   std::abs(value) > policy::implausible_size * std::max(p.prior, policy::least_prior)))
-            return false;
-    }
-    return true;
-}
-
 /// The pattern that the effect takes out of the residual, against the residual itself, second by second.
 bool signature_found(const std::vector<Case>& cases, const Attribution& a, const Scales& scales)
 {
@@ -81,6 +68,18 @@ bool signature_found(const std::vector<Case>& cases, const Attribution& a, const
 }
 
 }  // namespace
+
+bool plausible_numbers(const Attribution& a)
+{
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(a.candidate.parameter_count()); ++i) {
+        const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
+        const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
+        if (at_bound(p, value) || (!p.logarithmic && p.prior > 0 &&
+                                   std::abs(value) > policy::implausible_size * std::max(p.prior, policy::least_prior)))
+            return false;
+    }
+    return true;
+}
 
 Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const Scales& scales)
 {

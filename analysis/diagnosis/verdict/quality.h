@@ -11,6 +11,9 @@ struct Quality {
     bool signature = false;
 };
 
+/// Whether no parameter stands at its bound, or is far larger than usual.
+bool plausible_numbers(const Attribution& a);
+
 /// Standard errors from the information at the middle level; plausible: no parameter at its bound or ten times what is
 /// usual; signature: the pattern that the effect predicts is found wherever it should act.
 Quality quality_of(const std::vector<Case>& cases, const Attribution& a, const Scales& scales);

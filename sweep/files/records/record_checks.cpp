@@ -109,6 +109,9 @@ class Checks {
     void direction(const std::string& a, const std::vector<double>& values, const std::string& b,
                    const std::vector<double>& others, double surely)
     {
+        constexpr double rounding = 1e-6;  // of its size: what spreads less stands still, and has no direction
+        const auto stands = [](const auto& v) { return spread(v) <= rounding * largest_size(v); };
+        if (stands(values) || stands(others)) return;
         if (correlation(values, others) < surely)
             found_.push_back({.code = Note::Code::opposite_signs, .names = {a, b}});
     }
@@ -145,8 +148,12 @@ class Checks {
         if (spread(asked) <= constant * largest_size(asked)) return;
         constexpr double opposite = -0.5;  // a lagging or noisy effort comes to nothing, not to the opposite
         direction("effort_measured", r_.effort_measured, "effort_command", asked, opposite);
-        constexpr double another_unit = 100;  // no gain is as wrong as that
-        disproportion(spread(r_.effort_measured) / spread(asked), another_unit, {.code = Note::Code::unit_of_effort});
+        // no gain is as wrong as the first; a copy of the command in every row is no measured effort of its own, and
+        // wrong by more than a gain can be (effort-gain) it is in another unit
+        constexpr double another_unit = 100, copied = 0.999, unit_of_copy = 5;
+        const bool copy = correlation(r_.effort_measured, asked) > copied;
+        disproportion(spread(r_.effort_measured) / spread(asked), copy ? unit_of_copy : another_unit,
+                      {.code = Note::Code::unit_of_effort});
     }
 
     /// A signal that stays at one value although the joint moves was not connected.

@@ -1,12 +1,33 @@
 #include "sweep/files/simulators/simulator_text.h"
 
+#include "sweep/files/text/bad_input.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace stickslip {
+namespace {
+
+/// XML, YAML and Python each quote a name in their own way, and robot descriptions refer to it from elsewhere: what
+/// needs quotes in any of them is no name of a joint.
+void require_name(const std::string& name)
+{
+    constexpr std::string_view breaks = "\"'`<>&\\{}[]#:,|%@!?*=;$";
+    const bool plain = std::ranges::none_of(name, [&](char c) {
+        return (static_cast<unsigned char>(c) <= ' ') || c == '\x7f' || breaks.find(c) != std::string_view::npos;
+    });
+    if (name.empty() || !plain)
+        throw BadInput("the name of the joint: got \"" + name +
+                       "\"; allowed are letters, digits and _ - . /, as simulators take no others");
+}
+
+}  // namespace
 
 std::string simulator_text(const ExportAnswer& answer, const std::string& name)
 {
+    require_name(name);
     switch (answer.to) {
         case Simulator::mjcf:
             return files::mjcf_text(answer, name);

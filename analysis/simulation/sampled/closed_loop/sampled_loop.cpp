@@ -208,9 +208,9 @@ void SampledLoop::ask(double reference, double rate, double added)
 
 double SampledLoop::measured_effort()
 {
-    const double effort = motion.joint.effort(motion.y.data());
+    const double measured = joint_.sensor.effort_scale * motion.joint.effort(motion.y.data());
     const bool noisy = options_.seed != 0 && !options_.ideal_encoder;
-    return noisy ? effort + joint_.sensor.effort_noise * noise_() : effort;
+    return noisy ? measured + joint_.sensor.effort_noise * noise_() : measured;
 }
 
 double SampledLoop::open_tick()

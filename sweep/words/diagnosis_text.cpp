@@ -153,8 +153,9 @@ constexpr Sentence sentences[] = {
      "{names} predicts held-out rows, but simulations of whole records explain only {share0} of the gap and leave "
      "{1:.1f} times the noise floor: another cause is as likely"},
     {Code::far_as_a_whole,
-     "predicted from row to row the nominal joint stays within the noise, but simulated as a whole it is {0:.1f} "
-     "times the noise floor away: these rows are too few or too far apart to determine the cause"},
+     "predicted from row to row the nominal joint stays within the noise, but simulated as a whole along its reference "
+     "it is {0:.1f} times the noise floor away: reference or controller are not what file and log say, or the rows are "
+     "too few or too far apart to determine the cause"},
     {Code::interrupted_early, "interrupted while {stages}: no result yet"},
     {Code::interrupted_located,
      "interrupted while {stages}: the location of the gap was found, its cause was not; fits that were finished are "

@@ -173,7 +173,8 @@ void LoopFollower::scale_motion(double by)
 LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
 {
     LoopEnd end = ended(kind);
-    const auto first = turns_.end() - static_cast<std::ptrdiff_t>(std::min(count, turns_.size()));
+    auto first = turns_.end() - static_cast<std::ptrdiff_t>(std::min(count, turns_.size()));
+    if (first == turns_.begin() && turns_.size() > 1) ++first;  // it began when the watch did, somewhere in a turn
     double time = 0, rest = 0, low = infinity, high = 0;
     end.amplitude = 0, end.velocity_min = infinity, end.velocity_max = -infinity, end.cycle_peak = -infinity;
     for (auto t = first; t != turns_.end(); ++t) {

@@ -1,6 +1,7 @@
 // The nearest boundary and the worst case against closed forms in the quasi-static limit of (35).
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/boundary/trace/locate.h"
+#include "analysis/stability/frequency_search.h"
 #include "tests/analysis/loop/random_loop.h"
 #include "tests/analysis/simulation/joints.h"
 

@@ -22,10 +22,10 @@ inline bool is_set(double value)
 
 /// The values that a number may take. An open end excludes the bound itself.
 struct Range {
-    double low = -std::numeric_limits<double>::infinity();
+    double low = -std::numeric_limits<double>::infinity();  ///< in the unit of the number
     double high = std::numeric_limits<double>::infinity();
-    bool low_open = true, high_open = true;
-    bool whole = false;  ///< whole numbers only
+    bool low_open = true, high_open = true;  ///< the bound itself is excluded
+    bool whole = false;                      ///< whole numbers only
 
     constexpr bool holds(double v) const
     {
@@ -56,11 +56,11 @@ enum class Role {
 
 /// What is known of one numeric leaf. `help` is half a sentence; the unit follows from quantity and motion.
 struct Field {
-    std::string_view key;
-    Quantity quantity = Quantity::number;
-    Range range = any_finite;
-    Need need = Need::optional;
-    std::string_view help;
+    std::string_view key;                  ///< as files write it, the last part of its path
+    Quantity quantity = Quantity::number;  ///< from which its unit follows
+    Range range = any_finite;              ///< allowed values, in SI
+    Need need = Need::optional;            ///< a required number has no default
+    std::string_view help;                 ///< half a sentence, without the unit
     Role role = Role::plain;
     std::string_view symbol = {}, name = {};  ///< on charts and pages; empty: the key stands for itself
 
@@ -77,7 +77,7 @@ struct Field {
 template <class T, int capacity>
 struct ShortList {
     static constexpr int max_size = capacity;
-    std::array<T, capacity> values{};
+    std::array<T, capacity> values{};  ///< the first `size` of them count
     int size = 0;
 
     T& operator[](int i) { return values[static_cast<std::size_t>(i)]; }
@@ -95,7 +95,7 @@ using NumberList = ShortList<double, max_states>;
 /// One name of a choice, as it stands in a file.
 template <class Enum>
 struct Choice {
-    std::string_view name;
+    std::string_view name;  ///< as files write it
     Enum value;
 };
 

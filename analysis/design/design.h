@@ -14,12 +14,12 @@ namespace stickslip {
 enum class DesignObjective { motion, effort };
 
 struct Requirements {
-    SensorNoise noise;
+    SensorNoise noise;                                    ///< that the gains let through
     DesignObjective objective = DesignObjective::motion;  ///< which noise is made least
     double stiffness_scale = infinity;  ///< the k_p that doubles the cost: cost = noise · (1 + k_p/stiffness_scale)
     double margin = 0.05;               ///< least distance to the nearest boundary, in ln of the uncertain parameters
     double least_velocity = not_set;    ///< sliding is to be stable at every velocity from here up to V_0
-    double effort_limit = infinity;
+    double effort_limit = infinity;     ///< of the peak effort [N | N·m]
     double noise_multiple = 3;          ///< of the effort noise that counts towards the limit
     std::vector<Coordinate> uncertain;  ///< whose distance the margin is; empty: the friction's
     double k_p_low = not_set, k_p_high = not_set, k_v_low = 0, k_v_high = not_set;  ///< not set: three decades around
@@ -42,7 +42,7 @@ GainDesign design_gains(const Joint& joint, const Requirements& requirements, co
 
 /// The range of gains that is searched.
 struct GainRange {
-    Interval k_p, k_v;
+    Interval k_p, k_v;  ///< [N/m | N·m/rad], [N·s/m | N·m·s/rad]
 };
 GainRange gain_range(const Joint& joint, const Requirements& requirements);
 

@@ -12,7 +12,7 @@ namespace stickslip {
 /// Direction dependence, half the difference between the directions: f += coulomb + viscous |V|, the same sign both
 /// ways.
 struct Asymmetry {
-    double coulomb = 0, viscous = 0;
+    double coulomb = 0, viscous = 0;  ///< [N | N·m], [N·s/m | N·m·s/rad]
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -30,8 +30,8 @@ struct Asymmetry {
 
 /// Sines locked to position: amplitude · sin(n q + phase) + second_amplitude · sin(2 n q + second_phase), n = periods.
 struct PositionRipple {
-    double amplitude = 0, periods = 1, phase = 0;
-    double second_amplitude = 0, second_phase = 0;
+    double amplitude = 0, periods = 1, phase = 0;   ///< [N | N·m], n [1/m | 1/rad], rad
+    double second_amplitude = 0, second_phase = 0;  ///< [N | N·m], rad
 
     bool acts() const { return amplitude != 0 || second_amplitude != 0; }
     double by_place(double q) const;  ///< slope over the position
@@ -65,7 +65,7 @@ Real wave_at(const Wave& w, const Real& q)
 
 /// Warm-up: the Coulomb level changes by change · (1 − exp(−t / time_constant)), t from the start of the record.
 struct FrictionDrift {
-    double change = 0, time_constant = 10;
+    double change = 0, time_constant = 10;  ///< [N | N·m], s
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -132,10 +132,10 @@ struct Bristle {
 /// static law's level, or all of it, follows the speed: g(s) in place of g(|V|), ṡ = (|V| − s)/lag. The simulation of
 /// a record has the logarithmic form with |V| held above V*/1000, so that the joint can stick.
 struct Memory {
-    double A = 0, B = 0, L = 1e-5, V_star = 1e-3;
-    double lag = 0;
-    bool lag_viscous = false;  ///< the lag holds for the viscous part, too: the whole curve follows late
-    MemoryForm form = MemoryForm::slip;
+    double A = 0, B = 0, L = 1e-5, V_star = 1e-3;  ///< [N | N·m] twice, [m | rad], [m/s | rad/s]
+    double lag = 0;                                ///< s
+    bool lag_viscous = false;            ///< the lag holds for the viscous part, too: the whole curve follows late
+    MemoryForm form = MemoryForm::slip;  ///< how the state evolves
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -166,7 +166,7 @@ struct Memory {
 
 /// The friction on one body.
 struct Friction {
-    FrictionLaw law;
+    FrictionLaw law;  ///< f(V, θ) before all that follows
     Asymmetry asymmetry;
     double normal_load = 1;       ///< σ_n of (1) per the one at which the numbers of the law hold: multiplies all of f
     double load_coefficient = 0;  ///< f += load_coefficient · |transmitted effort| · sgn V

@@ -30,17 +30,17 @@ using States = std::array<double, max_states>;
 /// (2)-(3) at one instant: f, ∂f/∂V at constant state, and for each state θ_i: ∂f/∂θ_i, θ̇_i, ∂θ̇_i/∂V, ∂θ̇_i/∂θ_i.
 /// In every law here a state evolves by itself (∂θ̇_i/∂θ_j = 0 for i ≠ j).
 struct FrictionResponse {
-    double force = 0;
-    double by_velocity = 0;
-    States by_state{};
-    States rate{};
-    States rate_by_velocity{};
-    States rate_by_state{};
+    double force = 0;           ///< f [N | N·m]
+    double by_velocity = 0;     ///< ∂f/∂V [N·s/m | N·m·s/rad]
+    States by_state{};          ///< ∂f/∂θ_i
+    States rate{};              ///< θ̇_i
+    States rate_by_velocity{};  ///< ∂θ̇_i/∂V
+    States rate_by_state{};     ///< ∂θ̇_i/∂θ_i [1/s]
 };
 
 /// A resistance that depends on speed, and its slope with speed.
 struct Level {
-    double value = 0, slope = 0;
+    double value = 0, slope = 0;  ///< [N | N·m], [N·s/m | N·m·s/rad]
 };
 
 /// A static law made of a level and viscous friction: f = (g(|V|) + F_v |V|) sgn V; at rest the middle of its values.
@@ -54,7 +54,7 @@ inline FrictionResponse slide(const Level& level, double viscous, double V)
 
 /// An impulse of the kernel: g(t) = … + weight · δ(t − time).
 struct Delay {
-    double weight = not_set, time = not_set;
+    double weight = not_set, time = not_set;  ///< [N·s/m | N·m·s/rad], s
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -71,9 +71,9 @@ using DelayList = ShortList<Delay, max_delays>;
 
 /// What a law is, for `list laws`, for the generic property test, and for the choice of solver.
 struct LawInfo {
-    std::string_view name;  ///< as in joint.toml
-    std::string_view formula;
-    std::string_view source;
+    std::string_view name;                 ///< as in joint.toml
+    std::string_view formula;              ///< in letters of its keys
+    std::string_view source;               ///< the paper, with the equation
     std::string_view validity;             ///< where it stops being valid
     bool steady_state_dependence = false;  ///< property (1) of the paper: f_ss depends on V
     bool direct_effect = false;            ///< property (2): a step of V changes f at once, in the same direction

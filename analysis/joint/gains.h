@@ -6,7 +6,7 @@ namespace stickslip {
 
 /// u = k_p e + k_v ė + k_i ∫e.
 struct Gains {
-    double k_p = 0, k_v = 0, k_i = 0;
+    double k_p = 0, k_v = 0, k_i = 0;  ///< command per position, velocity, and position and time
 };
 
 /// K_i of a cascade: as given, or K_v/T_n.

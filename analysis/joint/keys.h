@@ -14,10 +14,10 @@ enum class KeyKind { number, numbers, flag, choice, text };
 struct Key {
     std::string path;  ///< "control.k_p"; of a list "friction.B"; of row 2 of a list "friction.elements.1.yield"
     KeyKind kind = KeyKind::number;
-    Quantity quantity = Quantity::number;
-    Range range;
+    Quantity quantity = Quantity::number;  ///< of numbers; its unit follows from it
+    Range range;                           ///< of numbers, in SI
     Need need = Need::optional;
-    std::string help;
+    std::string help;                ///< half a sentence
     std::vector<std::string> words;  ///< what a choice allows
     std::string value;               ///< as a file would have it, without quotes; empty: not set
     std::string standard;            ///< the same of a joint where nothing was said; empty: there is none

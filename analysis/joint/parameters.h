@@ -10,13 +10,13 @@ namespace stickslip {
 
 /// A number inside a joint, by its dotted path.
 struct Parameter {
-    std::string path;  ///< "friction.L" or "friction.L.0"; a list of one answers to both
-    Quantity quantity = Quantity::number;
-    Range range;
-    Need need = Need::optional;
-    std::string help;
-    double* value = nullptr;  ///< into the joint that was walked
-    Role role = Role::plain;
+    std::string path;                      ///< "friction.L" or "friction.L.0"; a list of one answers to both
+    Quantity quantity = Quantity::number;  ///< its unit follows from it and the units of the joint
+    Range range;                           ///< allowed values, in SI
+    Need need = Need::optional;            ///< a required number has no default
+    std::string help;                      ///< half a sentence
+    double* value = nullptr;               ///< into the joint that was walked
+    Role role = Role::plain;               ///< what it is to those that move it
 };
 
 /// Every numeric leaf of the joint in file order, pointing into it (model and laws decide which leaves there are).
@@ -34,7 +34,7 @@ Quantity quantity_of(const Joint& joint, std::string_view path);
 /// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
 /// the reader of files fills `table`. check() complains about a named table that was not filled.
 struct TableSlot {
-    std::string path;
+    std::string path;  ///< of the key that names the file
     const std::string* name = nullptr;
     KernelTablePtr* table = nullptr;
 };
@@ -45,7 +45,7 @@ std::vector<std::string> nearest_names(std::string_view given, const std::vector
 
 /// What is wrong with a value: where, and in words what was given and what is allowed.
 struct Problem {
-    std::string path;
+    std::string path;  ///< of the key
     std::string message;
 };
 

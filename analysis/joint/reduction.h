@@ -12,7 +12,7 @@ namespace stickslip {
 /// The friction of a body that has become part of another one, where both together have no single law. It acts beside
 /// that body's own: f += turns · friction(turns · V), turns being its displacement per that of the body.
 struct JoinedFriction {
-    Friction friction;
+    Friction friction;  ///< as on the body that it was on
     double turns = 1;
     bool on_link = true;  ///< otherwise on the motor
 };
@@ -21,7 +21,7 @@ struct JoinedFriction {
 struct Reduction {
     enum class Motor { stays, joins_link, ideal };
 
-    Joint joint;
+    Joint joint;                         ///< the smaller one
     std::string name;                    ///< "lever to three masses (Fig. 4 to 5)"
     std::string model;                   ///< what it leads to, short: "Fig. 5"
     std::vector<std::string> neglected;  ///< half sentences, mark-up; empty for an exact reduction

@@ -42,20 +42,20 @@ std::string_view name_of(LocationMethod method);
 
 /// One located point of a boundary along one parameter. The true crossing lies within [low, high].
 struct BoundaryPoint {
-    double value = 0, low = 0, high = 0;
+    double value = 0, low = 0, high = 0;  ///< of the parameter, and its bracket, in SI
     int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable; 0: not known
     bool converged = false;  ///< false: the bracket is wider than requested
     int evaluations = 0;
-    LocationMethod method = LocationMethod::interpolation;
+    LocationMethod method = LocationMethod::interpolation;  ///< how the bracket was narrowed
 
     double precision() const { return value != 0 ? (high - low) / (value < 0 ? -value : value) : high - low; }
 };
 
 /// One located point of a curve; its bracket lies along that axis which the curve crosses more steeply.
 struct CurvePoint {
-    double x = 0, y = 0;
-    bool along_y = true;
-    BoundaryPoint at;  ///< at.value is y if along_y, else x
+    double x = 0, y = 0;  ///< of the two parameters, in SI
+    bool along_y = true;  ///< the bracket lies along y
+    BoundaryPoint at;     ///< at.value is y if along_y, else x
 };
 
 /// Why a piece of a curve ends.
@@ -70,8 +70,8 @@ std::string_view name_of(CurveEnd end);
 
 /// One connected piece of a boundary.
 struct CurvePiece {
-    std::vector<CurvePoint> points;
-    CurveEnd first = CurveEnd::border, last = CurveEnd::border;
+    std::vector<CurvePoint> points;                              ///< in order along the curve
+    CurveEnd first = CurveEnd::border, last = CurveEnd::border;  ///< why it ends at either side
 };
 
 /// What watched over a chart while its curves were followed.
@@ -88,19 +88,19 @@ struct CurveGuard {
 
 /// What lies beyond the ends of a range that holds no boundary.
 struct OutsideOfRay {
-    double low = 0, high = 0;  ///< the range that was looked at
-    std::optional<BoundaryPoint> nearest;
+    double low = 0, high = 0;              ///< the range that was looked at
+    std::optional<BoundaryPoint> nearest;  ///< by the ratio to the end that it lies beyond; none in the range
 };
 
 /// Every boundary of one kind along an axis.
 struct LocatedRay {
     BoundaryKind kind = BoundaryKind::state_variable;
-    Axis axis;  ///< values: only the ends
-    std::vector<BoundaryPoint> points;
-    int nodes = 0;                 ///< of the scan
-    int undecided = 0;             ///< of them without a verdict
-    Reason reason = Reason::none;  ///< why the first of these, or a value within a bracket, has none
-    int climbed = 0;               ///< extrema between nodes that were searched for a pair of boundaries
+    Axis axis;                          ///< values: only the ends
+    std::vector<BoundaryPoint> points;  ///< rising; empty: there is no boundary
+    int nodes = 0;                      ///< of the scan
+    int undecided = 0;                  ///< of them without a verdict
+    Reason reason = Reason::none;       ///< why the first of these, or a value within a bracket, has none
+    int climbed = 0;                    ///< extrema between nodes that were searched for a pair of boundaries
     int evaluations = 0;
     double stable_share = 0;   ///< of the scanned nodes: without a boundary, 1 if all are stable, 0 if none
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
@@ -113,11 +113,11 @@ struct LocatedRay {
 /// A boundary followed over a chart.
 struct FollowedBoundary {
     BoundaryKind kind = BoundaryKind::state_variable;
-    Axis x, y;  ///< values: only the ends
-    std::vector<CurvePiece> pieces;
-    CurveGuard guard;
-    bool by_sides = false;  ///< folds found by simulation
-    int evaluations = 0;    ///< all, guard included
+    Axis x, y;                       ///< values: only the ends
+    std::vector<CurvePiece> pieces;  ///< connected ones; empty: no boundary was met
+    CurveGuard guard;                ///< what says that no piece was missed
+    bool by_sides = false;           ///< folds found by simulation
+    int evaluations = 0;             ///< all, guard included
 
     int points() const;
     double precision() const;  ///< the coarsest of its points
@@ -137,20 +137,20 @@ struct Margin {
 
 /// How one parameter moves on the way to the nearest boundary.
 struct NearestMove {
-    std::string path, less;  ///< less: the parameter is path − less
-    double from = 0, to = 0;
+    std::string path, less;   ///< less: the parameter is path − less
+    double from = 0, to = 0;  ///< the value of the joint, and at the boundary, in SI
 };
 
 /// The nearest boundary when several parameters may move at once.
 struct NearestBoundary {
     bool decided = false;  ///< the joint itself has a verdict
     bool stable = false;   ///< which
-    bool found = false;
+    bool found = false;    ///< a boundary within reach
     /// √Σ (ln(to/from)/scale)²; where nothing was found as far as was searched: nothing lies nearer on the rays.
     /// Missing without a verdict.
     double distance = missing;
-    std::vector<NearestMove> moves;
-    std::vector<double> direction;  ///< unit vector in the same coordinates
+    std::vector<NearestMove> moves;  ///< of all coordinates at once, onto the boundary
+    std::vector<double> direction;   ///< unit vector in the same coordinates
     int evaluations = 0;
 };
 

@@ -32,22 +32,22 @@ inline std::string name_of(Verdict v)
 }
 
 struct ConfidenceInterval {
-    double low = missing, high = missing;
+    double low = missing, high = missing;  ///< in the unit of the number that it is of
 };
 
 /// A part of the whole: where along the chain, or in which regime, the gap lies.
 struct Share {
-    std::string name;
-    double share = 0;
+    std::string name;  ///< of a signal or a regime
+    double share = 0;  ///< within [0, 1]
     ConfidenceInterval interval;
     double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the prediction floor
-    std::string unit;
+    std::string unit;           ///< of rms and floor
 };
 
 struct FittedParameter {
     std::string name;  ///< "stribeck.c2"
     double value = 0;
-    double standard_error = missing;
+    double standard_error = missing;  ///< in `unit`
     std::string unit;
 };
 
@@ -68,19 +68,19 @@ struct SheetValue {
 
 /// One cause, or a few that act together, with its rank by position.
 struct Cause {
-    std::vector<std::string> names;
-    std::string form;  ///< which way of writing it down fitted best, empty where there is one
-    double probability = 0;
-    std::vector<FittedParameter> parameters;
-    std::vector<SheetValue> values;  ///< of the documented numbers that the cause changes
-    double heldout_gain = 0;         ///< 1 − after/before of held-out RMS
-    ConfidenceInterval heldout_gain_interval;
-    double force_gain = missing;  ///< the same for the drive force, see DriveForceGap
-    ConfidenceInterval force_gain_interval;
-    bool signature = false;      ///< it is in the records
-    bool plausible = true;       ///< its numbers are not at a bound and not out of all proportion
-    std::string signature_text;  ///< what the signature is
-    double misfit = 0;           ///< score of the fit; 0 is noise
+    std::vector<std::string> names;            ///< of effects
+    std::string form;                          ///< which way of writing it down fitted best, empty where there is one
+    double probability = 0;                    ///< that it is the cause, within [0, 1]
+    std::vector<FittedParameter> parameters;   ///< of its effects
+    std::vector<SheetValue> values;            ///< of the documented numbers that the cause changes
+    double heldout_gain = 0;                   ///< 1 − after/before of held-out RMS
+    ConfidenceInterval heldout_gain_interval;  ///< 95 %
+    double force_gain = missing;               ///< the same for the drive force, see DriveForceGap
+    ConfidenceInterval force_gain_interval;    ///< 95 %
+    bool signature = false;                    ///< it is in the records
+    bool plausible = true;                     ///< its numbers are not at a bound and not out of all proportion
+    std::string signature_text;                ///< what the signature is
+    double misfit = 0;                         ///< score of the fit; 0 is noise
 };
 
 /// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.
@@ -110,13 +110,14 @@ struct ExplainableShare {
 /// What the ladder leaves, and the signals that it still depends on, strongest first.
 struct Remainder {
     double share = 0;
-    std::vector<std::string> structure;
+    std::vector<std::string> structure;  ///< names of these signals
 };
 
 /// RMS difference between measured and simulated signals over held-out records.
 struct SignalGap {
     std::string signal, unit;
-    double before = 0, after = 0, floor = 0, explained = 0;
+    double before = 0, after = 0, floor = 0,
+           explained = 0;  ///< in `unit`; explained: share of squares beyond the floor
 };
 
 struct OverallGap {
@@ -158,7 +159,7 @@ enum class TestMotion {
 };
 
 struct NextExperiment {
-    TestMotion motion = TestMotion::none;
+    TestMotion motion = TestMotion::none;                        ///< none: nothing is left to distinguish
     std::vector<std::pair<std::string, std::string>> separates;  ///< two causes each
     double distance = 0;                  ///< difference of the two predictions, in noise standard deviations
     std::vector<double> time, reference;  ///< the motion itself
@@ -176,14 +177,14 @@ struct FittedStretch {
 
 /// Which rows of long records were fitted: the others are the held-out data. No stretches: all rows in their turn.
 struct FittedRows {
-    std::vector<FittedStretch> stretches;
-    double fitted = 0, all = 0;  ///< rows
+    std::vector<FittedStretch> stretches;  ///< in the order of the records
+    double fitted = 0, all = 0;            ///< rows
 };
 
 /// Traces of one record for the page: measured, and simulated before and after.
 struct DiagnosedTrace {
     std::string file;
-    std::vector<double> time, measured, before, after;
+    std::vector<double> time, measured, before, after;  ///< s; the others in the unit of what was measured
     std::vector<double> effort_measured, effort_before, effort_after;
     enum class Effort { measured, command, friction_of_rig };
     Effort effort = Effort::command;  ///< what the efforts are
@@ -193,26 +194,26 @@ struct DiagnosedTrace {
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
 struct Diagnosis {
-    Verdict verdict = Verdict::insufficient_data;
-    std::vector<Note> reasons;
-    bool interrupted = false;  ///< on request: what was found until then stands here
+    Verdict verdict = Verdict::insufficient_data;  ///< whether there is a gap, and whether it is explained
+    std::vector<Note> reasons;                     ///< of the verdict
+    bool interrupted = false;                      ///< on request: what was found until then stands here
     std::vector<RecordRole> records;
-    FittedRows rows;
-    std::vector<Share> signals, regimes;
-    std::vector<Cause> effects;
+    FittedRows rows;                      ///< of long records
+    std::vector<Share> signals, regimes;  ///< where along the chain and in which motion the gap lies
+    std::vector<Cause> effects;           ///< most probable first
     std::vector<std::vector<std::string>> ambiguous_with;
     std::optional<CauseSet> set;  ///< where a guarantee was requested
     NextExperiment next_experiment;
     std::vector<SignalGap> gap;
     OverallGap overall;
     DriveForceGap drive_force;
-    std::vector<LadderRung> ladder;
-    std::vector<Correction> corrections;
-    double corrected_share = 0;  ///< of the gap, that the corrections take
+    std::vector<LadderRung> ladder;       ///< causes that act together, each given those above it
+    std::vector<Correction> corrections;  ///< of documented numbers
+    double corrected_share = 0;           ///< of the gap, that the corrections take
     ExplainableShare ceiling;
-    Remainder remainder;  ///< what the best cause leaves of the gap
-    std::vector<Note> notes;
-    std::vector<DiagnosedTrace> traces;
+    Remainder remainder;                 ///< what the best cause leaves of the gap
+    std::vector<Note> notes;             ///< what else a user should know
+    std::vector<DiagnosedTrace> traces;  ///< one a record
     Motion motion = Motion::prismatic;
     double usual_speed = 0;  ///< 95th percentile of |velocity| in the records
 };

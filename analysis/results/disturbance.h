@@ -17,7 +17,7 @@ enum class DisturbanceKind {
 };
 
 struct Disturbance {
-    DisturbanceKind kind = DisturbanceKind::position;
+    DisturbanceKind kind = DisturbanceKind::position;  ///< what is offset
     double size =
         missing;  ///< in the unit of its kind; not set: small_disturbance · V_0/|s|, the slow mode at that share of V_0
 };

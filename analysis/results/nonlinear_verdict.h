@@ -16,26 +16,26 @@ enum class Criticality : std::uint8_t { none, supercritical, subcritical, degene
 /// Mirrored by the nonlinear fields of PointResult. The cycle is the one that the disturbance ends in or, in the
 /// bistable region, the one that a larger disturbance would reach.
 struct NonlinearVerdict {
-    Outcome outcome = Outcome::not_asked;
-    NonlinearRegion region = NonlinearRegion::undecided;
-    Disturbance disturbance;       ///< with its size in SI
-    double growth_rate = missing;  ///< of a small disturbance of that kind, measured [1/s]
-    double amplitude = missing;    ///< of the cycle: half peak to peak in position
+    Outcome outcome = Outcome::not_asked;                 ///< what the stated disturbance ends in
+    NonlinearRegion region = NonlinearRegion::undecided;  ///< by small and larger disturbances together
+    Disturbance disturbance;                              ///< with its size in SI
+    double growth_rate = missing;                         ///< of a small disturbance of that kind, measured [1/s]
+    double amplitude = missing;                           ///< of the cycle: half peak to peak in position
     double jitter = missing;  ///< by encoder or noise: half peak to peak of sliding, or scatter of a cycle's amplitude
-    double velocity_min = missing, velocity_max = missing;
-    double period = missing;
-    double stick_fraction = missing;  ///< share of the period at rest or below a hundredth of V_0
+    double velocity_min = missing, velocity_max = missing;  ///< of the link over the cycle [m/s | rad/s]
+    double period = missing;                                ///< s
+    double stick_fraction = missing;                        ///< share of the period at rest or below a hundredth of V_0
     double overshoot = missing;  ///< largest excess of position over the steady path after the disturbance, per δ_ss
     std::vector<std::complex<double>> multipliers;  ///< Floquet, where shooting found the cycle
     int repeats = 1;                                ///< turns after which a period-n motion repeats
-    Criticality criticality = Criticality::none;
-    double lyapunov = missing;  ///< first Lyapunov coefficient at k_cr: sign decides the criticality
-    double fold_k_p = missing;  ///< gain above which no limit cycle is left
-    DecisionPath path = DecisionPath::none;
-    Reason reason = Reason::none;
-    Detail detail = Detail::none;                   ///< where more is known than the reason says
-    Detail growth_missing = Detail::none;           ///< why there is no growth rate
-    Detail fold_missing = Detail::none;             ///< why a fold was looked for and not found
+    Criticality criticality = Criticality::none;    ///< of the crossing at k_cr
+    double lyapunov = missing;               ///< first Lyapunov coefficient at k_cr: sign decides the criticality
+    double fold_k_p = missing;               ///< gain above which no limit cycle is left
+    DecisionPath path = DecisionPath::none;  ///< by which computation it was decided
+    Reason reason = Reason::none;            ///< why it is undecided
+    Detail detail = Detail::none;            ///< where more is known than the reason says
+    Detail growth_missing = Detail::none;    ///< why there is no growth rate
+    Detail fold_missing = Detail::none;      ///< why a fold was looked for and not found
     LargerTried searched_from = LargerTried::none;  ///< larger disturbances, where the stated one decays
     bool used_fallback = false;                     ///< CVODE gave up on the way and Rodas5P finished
 

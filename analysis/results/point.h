@@ -22,7 +22,7 @@ enum class Reason : std::uint8_t {
     solver_failed,     ///< reference and fallback solver both gave up
     unsupported,       ///< this combination of law and joint has no evaluation
     neutral,           ///< nothing damps the joint: small disturbances neither grow nor decay, and none decides
-    diverges,          ///< the motion runs away from steady sliding: no spring or damper holds it back
+    diverges,          ///< the motion runs away from steady sliding
     limit_too_low,     ///< the limit of the effort is below what steady sliding takes somewhere: there is none
     impossible         ///< numbers that break a rule between keys together: the joint file would be refused
 };

@@ -19,8 +19,8 @@ Command command_named(std::string_view name);
 
 /// What the units of one joint's numbers depend on. units_of() of a joint (joint.h) knows both.
 struct Units {
-    Motion motion = Motion::prismatic;
-    Command command = Command::effort;
+    Motion motion = Motion::prismatic;  ///< metres or radians
+    Command command = Command::effort;  ///< what the controller puts out, whose unit gains have
 
     constexpr Units() = default;
     explicit constexpr Units(Motion moves, Command puts_out = Command::effort) : motion(moves), command(puts_out) {}

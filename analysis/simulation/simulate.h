@@ -10,14 +10,14 @@
 namespace stickslip {
 
 struct SimulateOptions {
-    Disturbance disturbance;
+    Disturbance disturbance;        ///< at the start
     double duration = missing;      ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
     double cycle_period = missing;  ///< s, of the cycle that the motion ends in; not set: nothing waits for a cycle
     SampledForce force;             ///< d(t) of (9) on the link, on top of the disturbance
     SampledLoad normal_load;        ///< σ_n(t) of (1); empty: as the joint says
-    double rtol = 1e-8;
-    std::uint64_t seed = 1;      ///< of the noise of a real loop
-    bool fallback_only = false;  ///< Rodas5P in place of CVODE
+    double rtol = 1e-8;             ///< relative tolerance of the solver
+    std::uint64_t seed = 1;         ///< of the noise of a real loop
+    bool fallback_only = false;     ///< Rodas5P in place of CVODE
 
     /// What is wrong with them; empty if nothing.
     std::string problem() const;

@@ -9,9 +9,9 @@ namespace stickslip {
 
 /// A disturbing force on the link: `value[i]` holds from i·step to (i + 1)·step.
 struct SampledForce {
-    double step = 0;  ///< s
-    std::vector<double> value;
-    double impulse = 0;  ///< N·s, before the first sample
+    double step = 0;            ///< s
+    std::vector<double> value;  ///< N | N·m
+    double impulse = 0;         ///< N·s, before the first sample
 };
 
 enum class ForceKind { impulse, step, sine, noise };
@@ -23,7 +23,7 @@ SampledForce sampled_force(ForceKind kind, double size, double duration, double 
 
 /// Position and velocity of the link in excess of steady sliding at the end of each step, and at the start.
 struct ForcedResponse {
-    std::vector<double> time, position, velocity;
+    std::vector<double> time, position, velocity;  ///< s, [m | rad], [m/s | rad/s]
 };
 
 /// Exact at the sample times for a force held between them (matrix exponential), but for a joint with delays or tables,

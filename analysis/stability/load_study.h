@@ -12,12 +12,12 @@ namespace stickslip {
 /// At one load: growth rates max Re s by both theories, critical gain with memory (NaN where there is none), least
 /// velocity gain of the velocity-only model.
 struct LoadedVerdict {
-    double load, velocity_only, state_variable, k_cr, k_v_min;
+    double load, velocity_only, state_variable, k_cr, k_v_min;  ///< load as a ratio, 1/s twice, gains in SI
 };
 
 struct LoadStudy {
-    double low = missing, high = missing;
-    std::vector<LoadedVerdict> at;  ///< loads from low to high, evenly
+    double low = missing, high = missing;  ///< loads, per the nominal one
+    std::vector<LoadedVerdict> at;         ///< loads from low to high, evenly
     /// Shares of the record at whose load steady sliding is stable.
     double stable_velocity_only = missing, stable_state_variable = missing;
     /// The load that demands the largest k_cr, and that gain; NaN where none has one.

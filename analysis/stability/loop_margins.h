@@ -15,7 +15,7 @@ std::complex<double> disturbance_response(const LinearJoint& joint, std::complex
 /// The largest |X/D|(iω) and its frequency; `magnitude` is infinite at a boundary and NaN for an unstable joint, whose
 /// answer to a steady sine does not exist.
 struct ResponsePeak {
-    double omega, magnitude;
+    double omega, magnitude;  ///< rad/s; position per effort [m/N | rad/(N·m)]
 };
 
 /// A scan of `points` frequencies around the roots of the joint, each local maximum then refined: a peak narrower than

@@ -10,14 +10,14 @@ namespace stickslip {
 
 /// The stable set in k_p and every gain at which a pair of roots crosses the imaginary axis.
 struct StableGains {
-    std::vector<Crossing> crossings;
-    std::vector<Interval> stable;
-    std::vector<Interval> doubtful;  ///< bands of ω in which a touch of the axis could not be excluded
-    double searched_from = 0;        ///< crossings are complete from here
-    double searched_to = infinity;   ///< up to here
-    bool known = true;               ///< false: the joint's own loop has no such gain to turn alone
-    double k_cr = missing;           ///< the single critical gain: all above it are stable, none below
-    double omega = missing;          ///< its frequency
+    std::vector<Crossing> crossings;  ///< of the imaginary axis, over k_p
+    std::vector<Interval> stable;     ///< of k_p, rising
+    std::vector<Interval> doubtful;   ///< bands of ω in which a touch of the axis could not be excluded
+    double searched_from = 0;         ///< crossings are complete from here
+    double searched_to = infinity;    ///< up to here
+    bool known = true;                ///< false: the joint's own loop has no such gain to turn alone
+    double k_cr = missing;            ///< the single critical gain: all above it are stable, none below
+    double omega = missing;           ///< its frequency
 };
 
 /// Fills in k_cr and omega where one crossing divides the gains into none and all.

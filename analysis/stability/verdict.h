@@ -31,26 +31,26 @@ struct VelocityOnlyVerdict {
 /// (27)-(37): friction with memory.
 struct StateVariableVerdict {
     bool stable = false;
-    bool neutral = false;                ///< as above
-    double spectral_abscissa = missing;  ///< 0 where only rounding is left of it
-    std::vector<std::complex<double>> eigenvalues;
+    bool neutral = false;                           ///< as above
+    double spectral_abscissa = missing;             ///< 0 where only rounding is left of it
+    std::vector<std::complex<double>> eigenvalues;  ///< 1/s, rightmost first
     std::vector<std::complex<double>> multipliers;  ///< of a sampled loop, from sample to sample: z = e^{sT}
     bool all_eigenvalues = true;                    ///< with delays or a table only some of the rightmost are known
     double f_v = missing;                           ///< direct effect (14)
     double kernel_integral = missing;               ///< ∫g
-    std::vector<Crossing> crossings;
-    std::vector<Interval> stable_intervals;  ///< in k_p, decided by the spectrum
-    double k_cr = missing;                   ///< the single critical gain, NaN where there is none
-    double searched_from = 0;                ///< k_p from which crossings are complete: above 0 where k_p moves sliding
-    double searched_to = infinity;           ///< and up to which; finite there, and where delays go on
-    double gain_margin_db = missing;         ///< least change of the loop gain, either way, that makes it unstable
-    double phase_margin_deg = missing;       ///< at |L| = 1, broken at the command: negative where it is unstable
-    std::vector<Interval> doubtful;          ///< bands of ω in which a touch of the axis could not be excluded
+    std::vector<Crossing> crossings;                ///< of the imaginary axis, over k_p
+    std::vector<Interval> stable_intervals;         ///< in k_p, decided by the spectrum
+    double k_cr = missing;                          ///< the single critical gain, NaN where there is none
+    double searched_from = 0;           ///< k_p from which crossings are complete: above 0 where k_p moves sliding
+    double searched_to = infinity;      ///< and up to which; finite there, and where delays go on
+    double gain_margin_db = missing;    ///< least change of the loop gain, either way, that makes it unstable
+    double phase_margin_deg = missing;  ///< at |L| = 1, broken at the command: negative where it is unstable
+    std::vector<Interval> doubtful;     ///< bands of ω in which a touch of the axis could not be excluded
 };
 
 struct LinearVerdict {
-    SteadySliding steady;
-    LoopUse loop;  ///< which loop the verdicts are about
+    SteadySliding steady;  ///< what the verdicts are about
+    LoopUse loop;          ///< which loop the verdicts are about
     VelocityOnlyVerdict velocity_only;
     StateVariableVerdict state_variable;
 };

@@ -182,7 +182,7 @@ TEST_CASE("a name that no robot description can hold is refused", "[program]")
 {
     for (const char* to : {"mjcf", "urdf", "sdf", "isaaclab", "ros2_control"})
         for (const char* name : {"a<b>", "a&b", "a\"b", "two words", ""}) {
-            const auto run = stickslip(std::string("export examples/01-reference-joint/spec.toml --to ") + to +
+            const auto run = stickslip(std::string("export examples/02-ball-screw/joint.toml --to ") + to +
                                        " --name '" + name + "'");
             INFO(to << " " << name << run.output);
             CHECK(run.exit_code == 2);

@@ -10,12 +10,12 @@
 namespace stickslip {
 
 struct BoundaryRequest {
-    BoundaryKind kind = BoundaryKind::state_variable;
-    Disturbance disturbance;     ///< of kind `outcome`
-    double precision = not_set;  ///< relative bracket width; not set: default_precision
+    BoundaryKind kind = BoundaryKind::state_variable;  ///< which boundary is looked for
+    Disturbance disturbance;                           ///< of kind `outcome`
+    double precision = not_set;                        ///< relative bracket width; not set: default_precision
     int scan = 0;                ///< intervals of a ray that are looked at first; 0: default_scan, more on a long axis
-    FollowingOptions following;
-    ParallelFor parallel;  ///< empty: one after the other
+    FollowingOptions following;  ///< of curves over two axes
+    ParallelFor parallel;        ///< empty: one after the other
 
     /// What is wrong with them; empty if nothing.
     std::string problem() const;

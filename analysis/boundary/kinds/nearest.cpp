@@ -254,10 +254,7 @@ NearestOptions affordable_search(const Joint& joint)
     else if (linear.bodies > 1)
         options.global = false, options.rays = 24, options.local = 40;
     const double effort = search_effort();
-    constexpr double least_global = 0.5, most_local = 1000, fewest_steps = 3;
-    // a verdict of delays costs a count of roots, and two directions a coordinate have these steps each
-    if (!linear.rational() && effort < 1)
-        options.rays = static_cast<int>(std::max(fewest_steps, std::ceil(options.rays * effort)));
+    constexpr double least_global = 0.5, most_local = 1000;
     options.global = options.global && effort >= least_global;
     options.local = static_cast<int>(std::clamp(options.local * effort, 1.0, most_local));
     return options;

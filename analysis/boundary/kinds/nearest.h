@@ -8,7 +8,7 @@
 namespace stickslip {
 
 struct NearestOptions {
-    Curve::Kind theory = Curve::Kind::state_variable;
+    Curve::Kind theory = Curve::Kind::state_variable;  ///< whose verdict changes at the boundary
     double reach = not_set;  ///< distance searched; not set: a factor of ten in the least of the scales
     int rays = 48;           ///< steps, finer near the joint, along each direction before the first crossing is located
     bool global = true;      ///< first NLopt's DIRECT over all directions; otherwise only from the starts
@@ -46,17 +46,17 @@ enum class UncertaintyShape { box, ellipsoid };
 
 /// Shares by which coordinates may be off: value · (1 ± share). The ellipsoid touches the box in its axes.
 struct Uncertainty {
-    std::vector<Coordinate> coordinates;
-    std::vector<double> share;
-    UncertaintyShape shape = UncertaintyShape::box;
+    std::vector<Coordinate> coordinates;             ///< the parameters that may be off
+    std::vector<double> share;                       ///< of each coordinate, as a part of its value
+    UncertaintyShape shape = UncertaintyShape::box;  ///< how shares go together
 };
 
 /// The least stable joint within an uncertainty.
 struct WorstCase {
     double instability = missing;    ///< of the theory, as in analysis/boundary/trace/locate.h
     std::vector<double> deviations;  ///< per coordinate, as a share of its value
-    int evaluations = 0;
-    int undecided = 0;  ///< of the joints that were tried, without a verdict
+    int evaluations = 0;             ///< joints that were judged
+    int undecided = 0;               ///< of the joints that were tried, without a verdict
 };
 
 /// Corners (up to six coordinates) or axes first, then NLopt: DIRECT-L if `global`, and SBPLX from the worst found.

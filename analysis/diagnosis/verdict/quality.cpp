@@ -71,7 +71,7 @@ bool signature_found(const std::vector<Case>& cases, const Attribution& a, const
 
 bool plausible_numbers(const Attribution& a)
 {
-    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(a.candidate.parameter_count()); ++i) {
+    for (Eigen::Index i = 0; i < a.x[1].size(); ++i) {
         const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
         const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
         if (at_bound(p, value) || (!p.logarithmic && p.prior > 0 &&

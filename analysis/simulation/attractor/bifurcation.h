@@ -11,7 +11,7 @@ namespace stickslip {
 /// obeys ṙ = σ(k_p) r + lyapunov · r³: negative is supercritical, cycles are born where steady sliding is unstable.
 struct HopfPoint {
     double k_p = missing;
-    double omega = missing;
+    double omega = missing;     ///< rad/s, of the small orbit
     double lyapunov = missing;  ///< Re c_1 for that scaling of the critical eigenvector [1/s]
     FlowVector direction;       ///< y − y_ss at the largest position of a small orbit, per unit of position
 };

@@ -10,8 +10,8 @@
 namespace stickslip {
 
 struct NonlinearOptions {
-    Disturbance disturbance;  ///< the one that the outcome means
-    double rtol = 1e-8;
+    Disturbance disturbance;     ///< the one that the outcome means
+    double rtol = 1e-8;          ///< relative tolerance of the solvers
     int turn_limit = 3000;       ///< revolutions after which a point is undecided
     bool region = true;          ///< also look for stick-slip that a larger disturbance reaches
     bool bifurcation = false;    ///< also criticality of the Hopf point and fold of limit cycles

@@ -14,8 +14,8 @@ struct ReferenceMotion {
 struct LoopRecord {
     std::vector<double> time, reference_position, reference_velocity, position, velocity, effort_command,
         effort_measured, feed_forward;
-    Reason reason = Reason::none;
-    Detail why = Detail::none;
+    Reason reason = Reason::none;  ///< why it is empty or ends early
+    Detail why = Detail::none;     ///< the same more closely, where more is known
 };
 
 /// Starts at rest where the reference starts, or, under a law that cannot rest, sliding as the reference does. `seed` 0

@@ -117,12 +117,12 @@ SetPoint without_integral(const Joint& joint, const Regulator& regulator, const 
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
     if (held > regulator.effort_limit) return undecided(SetPointReason::loaded);
     const bool breaks = dry.breakaway + held <= regulator.effort_limit;
+    if (regulator.dither > 0) return under_dither(regulator, dry, load);
     if (is_simulated(joint)) {
         const auto s = resting_by_simulation(SampledStops(joint, regulator, friction.viscous));
         if (s.hunting != Hunting::no || s.diverges() || breaks) return s;
         return rests(SetPointReason::no_integral_action, infinity, SetPointMethod::simulated);
     }
-    if (regulator.dither > 0) return under_dither(regulator, dry, load);
     const double band = breaks ? regulator.error_holding(dry.breakaway + load) + regulator.dead_zone : infinity;
     if (breaks && regulator.push.by_velocity())
         return hunting_without_integral(StopToStop(regulator, joint.friction), band);
@@ -198,7 +198,8 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     const bool integrates = regulator.k_i > 0, simulated = is_simulated(joint);
     if (simulated && !(sliding_growth(joint, friction.viscous) < 0))
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-    if (regulator.dither > 0 && (friction.presliding > 0 || integrates || simulated))
+    const bool late = joint.control.delay > 0 || joint.sensor.delay > 0 || joint.actuator.lag > 0;
+    if (regulator.dither > 0 && (friction.presliding > 0 || integrates || (simulated && late)))
         return undecided(SetPointReason::dithered);
     if (pushes_itself(joint, regulator, friction.dry.breakaway + std::abs(pull.on_feedback)))
         return pushed_about(SetPointReason::push_breaks_friction);

@@ -14,8 +14,8 @@ namespace stickslip {
 
 /// A record and what a user should know about it. Neither sentences nor suspicions name the record: the caller does.
 struct RecordReading {
-    Record record;
-    std::vector<std::string> warnings;
+    Record record;                      ///< in SI
+    std::vector<std::string> warnings;  ///< columns that are not read, units in doubt
     /// What looks wrong in what was read: degrees in a column that should be radians, a motor that was off. Nothing
     /// should be concluded from a record with one that contradicts().
     std::vector<Note> suspicions;
@@ -33,7 +33,7 @@ struct RecordReading {
 /// Bounds the memory: read, a signal takes 8 bytes a row, 80 MB for 10^7 rows, 2.7 hours at 1 kHz. A diagnosis was seen
 /// to take 400 to 800 bytes a row.
 struct RecordLimits {
-    std::uint64_t rows = 10'000'000;
+    std::uint64_t rows = 10'000'000;  ///< more are refused
 };
 
 /// Reads a table with a header row; commas, semicolons or tabs between the columns, lines that begin

@@ -1,7 +1,6 @@
 // The nearest boundary and the worst case against closed forms in the quasi-static limit of (35).
 #include "analysis/boundary/kinds/nearest.h"
 #include "analysis/boundary/trace/locate.h"
-#include "analysis/stability/frequency_search.h"
 #include "tests/analysis/loop/random_loop.h"
 #include "tests/analysis/simulation/joints.h"
 
@@ -131,23 +130,6 @@ TEST_CASE("along the velocity a sampled loop around delayed friction changes sid
     };
     CHECK(side(0.9999) == nearest.stable);
     CHECK(side(1.0001) == !nearest.stable);
-}
-
-TEST_CASE("less effort judges fewer joints for the nearest boundary of delayed friction", "[boundary][nearest]")
-{
-    Joint joint = stribeck_joint(2e5, 100, 2e-3);
-    TimeLag law;
-    law.lag = 2e-3;
-    law.curve.law = Stribeck{8, 20, 6, 2e-3, 2};
-    joint.friction.law = law;
-    const auto judged = [&](double effort) {
-        set_search_effort(effort);
-        const auto nearest = nearest_boundary(joint, friction_coordinates(joint), affordable_search(joint));
-        set_search_effort(1);
-        REQUIRE(nearest.found);
-        return nearest.evaluations;
-    };
-    CHECK(judged(0.1) < 0.6 * judged(1));
 }
 
 TEST_CASE("parameters that are off by the tolerance, each in its worst direction, are at most the distance away",

@@ -41,6 +41,7 @@ inline Joint random_loop(std::uint64_t number)
     c.k_v = one_of(std::vector<double>{0, 10, 100, 300});
     for (const Parameter& leaf : parameters(joint)) {
         if (!std::isfinite(*leaf.value) || *leaf.value == 0) continue;
+        if (leaf.path == "sensor.effort_scale") continue;  // of the log alone: joints keep their numbers
         const double before = *leaf.value;
         *leaf.value *= decades(-0.7, 0.7);
         if (!check(joint).empty()) *leaf.value = before;

@@ -198,7 +198,7 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     const bool integrates = regulator.k_i > 0, simulated = is_simulated(joint);
     if (simulated && !(sliding_growth(joint, friction.viscous) < 0))
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-    const bool late = joint.control.delay > 0 || joint.sensor.delay > 0 || joint.actuator.lag > 0;
+    const bool late = joint.dead_time() > 0 || joint.actuator.lag > 0;
     if (regulator.dither > 0 && (friction.presliding > 0 || integrates || (simulated && late)))
         return undecided(SetPointReason::dithered);
     if (pushes_itself(joint, regulator, friction.dry.breakaway + std::abs(pull.on_feedback)))

@@ -20,7 +20,7 @@ void require_name(const std::string& name)
     });
     if (name.empty() || !plain)
         throw BadInput("the name of the joint: got \"" + name +
-                       "\"; allowed are letters, digits and _ - . /, as simulators take no others");
+                       "\"; expected letters, digits and _ - . /, which XML, YAML and Python need not quote");
 }
 
 }  // namespace

@@ -282,6 +282,17 @@ def circles(arrows):
     return found
 
 
+def rooms_between(one, other):
+    """The two folders of an include, and the two rooms around them where their ways part."""
+    same = 0
+    while same < min(len(one), len(other)) and one[same] == other[same]:
+        same += 1
+    if one != other:
+        yield "/".join(one), "/".join(other)
+    if same < min(len(one), len(other)):
+        yield "/".join(one[: same + 1]), "/".join(other[: same + 1])
+
+
 def main():
     if "--sizes" in sys.argv:
         for count, what in sorted(house_sizes.sizes(SOURCE, files()), reverse=True):
@@ -301,10 +312,11 @@ def main():
                 wrong.append(f"{path}: includes {name}, ten seconds to compile; declare options by way of command_line.h")
             if folder in DRAWS and COMPUTES.match(name):
                 wrong.append(f"{path}: includes {name}; what is computed belongs into sweep/study, pages draw answers")
-            other = Path(name).parent.as_posix()
-            if (SOURCE / name).exists() and other != folder:
-                arrows[folder].add(other)
-                because[folder, other] = f"{path} includes {name}"
+            if not (SOURCE / name).exists():
+                continue
+            for one, other in rooms_between(path.parent.parts, Path(name).parent.parts):
+                arrows[one].add(other)
+                because[one, other] = f"{path} includes {name}"
     for members in circles(arrows):
         wrong.append("folders that include each other in a circle: " + ", ".join(members))
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]

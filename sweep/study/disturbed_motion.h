@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/joint/joint.h"
 #include "analysis/stability/forced_response.h"
-#include "sweep/files/text/series_file.h"
+#include "sweep/study/time_series.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,22 +1,13 @@
 // A quantity over time from a file: a kernel, a disturbing force, a normal load.
 #pragma once
 #include "analysis/results/quantity.h"
+#include "sweep/study/time_series.h"
 
 #include <filesystem>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace stickslip {
-
-struct TimeSeries {
-    std::vector<double> time, value;  ///< s, ascending; at least two rows
-
-    double duration() const { return time.back() - time.front(); }
-    /// Means over `count` intervals of length `step` from the first row on: straight lines between the rows, the last
-    /// value behind them.
-    std::vector<double> sampled(double step, int count) const;
-};
 
 /// What a column of a series holds, so that a unit in its header can be converted.
 struct SeriesQuantity {

@@ -1,4 +1,4 @@
-// Records of one quantity: which columns are taken, what is refused, and means over samples.
+// Records of one quantity: which columns are taken, what is refused.
 #include "sweep/files/text/series_file.h"
 
 #include <catch2/catch.hpp>
@@ -67,16 +67,4 @@ TEST_CASE("a series that does not fit is refused at its place", "[files]")
     const TemporaryFile wrong("time [m],force\n0,1\n1,2\n");
     CHECK_THROWS_WITH(read_series(wrong.path, "force", SeriesQuantity{Quantity::effort, {}}),
                       Contains(".csv:1:1: column time [m]") && Contains("unit of something else"));
-}
-
-TEST_CASE("samples are means of the straight lines, the last value behind them", "[files]")
-{
-    const TimeSeries s{{3, 4, 6}, {0, 2, -2}};
-    // ∫ from the first row: t² up to 1, then 1 + 2(t − 1) − (t − 1)² up to 3, then −2 a second
-    const auto means = s.sampled(0.8, 5);
-    const auto integral = [](double t) {
-        return t <= 1 ? t * t : t <= 3 ? 1 + 2 * (t - 1) - (t - 1) * (t - 1) : 1 - 2 * (t - 3);
-    };
-    for (int k = 0; k < 5; ++k)
-        CHECK(means[k] == Approx((integral(0.8 * (k + 1)) - integral(0.8 * k)) / 0.8).margin(1e-12));
 }

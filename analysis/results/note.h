@@ -67,6 +67,9 @@ struct Note {
         terms_to,               ///< values: per cent of the command's rms that is left; smaller terms are not named
         gains_to,               ///< values: per cent that is left; only gains that are further off are named
         gains_to_steps,         ///< values: per cent beyond which a gain is named, for the steps of the command
+        reference_late,         ///< values: control periods, s; the reference was logged that late, and is shifted
+        reference_early,        ///< the same, early
+        positions_scaled,       ///< values: logged over the controller's; positions and velocities are divided by it
         reference_rebuilt,      ///< from the command, gains from the encoder's noise
         controller_unseen,      ///< more than k_p and k_v, and no reference was logged
         undocumented_k_v,       ///< the command has a part that is proportional to the velocity

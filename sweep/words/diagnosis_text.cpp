@@ -90,6 +90,15 @@ constexpr Sentence sentences[] = {
      "no reference was logged: nothing is said of a controller that is more than k_p and k_v; the joint is judged "
      "under "
      "its logged command"},
+    {Code::reference_late,
+     "the logged command is that of the reference {0:.0f} control periods ({1:.4g} s) later: the log's reference is "
+     "late, and was shifted"},
+    {Code::reference_early,
+     "the logged command is that of the reference {0:.0f} control periods ({1:.4g} s) earlier: the log's reference is "
+     "early, and was shifted"},
+    {Code::positions_scaled,
+     "the logged command is that of positions and velocities divided by {0:.5g}: log and controller convert them "
+     "differently (a gear ratio?), and the controller's are used"},
     {Code::reference_rebuilt,
      "no reference was logged: the controller's gains were read from how the encoder's noise comes through it, and the "
      "reference was rebuilt from the command"},

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/audit.h"
 
+#include "analysis/diagnosis/audit/align_log.h"
 #include "analysis/diagnosis/audit/audit_filter.h"
 #include "analysis/diagnosis/audit/audit_readings.h"
 #include "analysis/diagnosis/audit/audit_reference.h"
@@ -178,6 +179,7 @@ Audit audit(std::vector<Case>& cases)
     }
     if (!can_be_audited(cases)) return result;
     result.possible = true;
+    align_log(cases, limit, result);
     if (audit_terms(cases, limit, result)) return result;
     auto answers = gains_of(cases, documented.velocity_estimate.tau, limit);
     if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result))

@@ -164,7 +164,8 @@ Case prepare(const Record& stamped, const Joint& nominal, std::vector<Note>& not
 {
     const Joint joint = joint_in(stamped, nominal);
     Record record = stamped;
-    if (auto even = is_set(joint.control.period) ? even_times(stamped.time, joint.control.period) : std::nullopt) {
+    if (auto even = is_set(joint.control.period) ? even_times(stamped.time, stamped.position, joint.control.period)
+                                                 : std::nullopt) {
         record.time = std::move(*even);
         notes.push_back({Note::Code::scattered_stamps, record.name});
     }

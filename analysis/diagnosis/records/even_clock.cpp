@@ -11,13 +11,32 @@ namespace {
 constexpr std::size_t least_rows = 100;   // fewer do not tell scatter from wandering
 constexpr double near = 0.05;             // of a row: how far the median step may be from a multiple of the period
 constexpr double already_even = 1e-4;     // of a row, RMS
-constexpr double widest = 0.1;            // of a row, RMS: more may have swapped rows
+constexpr double unquestioned = 0.1;      // of a row, RMS: more is held against the readings
 constexpr double farthest = 0.45;         // of a row: half a row away is the next one
 constexpr double least_independence = 1;  // von Neumann's ratio: 2 where rows scatter on their own, 0 where they wander
 
+/// Mean square by which readings are off the cubic through their two neighbours on either side.
+double roughness(const std::vector<double>& time, const std::vector<double>& readings)
+{
+    double sum = 0;
+    for (std::size_t k = 2; k + 2 < time.size(); ++k) {
+        const std::size_t at[]{k - 2, k - 1, k + 1, k + 2};
+        double off = readings[k];
+        for (const std::size_t i : at) {
+            double weight = 1;  // Lagrange's
+            for (const std::size_t j : at)
+                if (j != i) weight *= (time[k] - time[j]) / (time[i] - time[j]);
+            off -= weight * readings[i];
+        }
+        sum += off * off;
+    }
+    return sum / static_cast<double>(time.size());
+}
+
 }  // namespace
 
-std::optional<std::vector<double>> even_times(const std::vector<double>& stamps, double period)
+std::optional<std::vector<double>> even_times(const std::vector<double>& stamps, const std::vector<double>& readings,
+                                              double period)
 {
     if (stamps.size() < least_rows || !(period > 0)) return std::nullopt;
     const double step = median_step(stamps), row = std::max(1.0, std::round(step / period)) * period;
@@ -41,7 +60,8 @@ std::optional<std::vector<double>> even_times(const std::vector<double>& stamps,
         even.push_back(time);
     }
     const double rms = std::sqrt(squares / static_cast<double>(stamps.size()));
-    if (rms < already_even || rms > widest || differences < least_independence * squares) return std::nullopt;
+    if (rms < already_even || differences < least_independence * squares) return std::nullopt;
+    if (rms > unquestioned && !(roughness(even, readings) < roughness(stamps, readings))) return std::nullopt;
     return even;
 }
 

@@ -17,7 +17,27 @@ std::vector<double> even(std::size_t rows, double step)
     return t;
 }
 
+std::vector<double> path(const std::vector<double>& times)
+{
+    std::vector<double> y;
+    for (const double t : times) y.push_back(0.5 * std::sin(2 * t));
+    return y;
+}
+
 }  // namespace
+
+TEST_CASE("stamps that scatter widely are held against the path of the readings", "[gap]")
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform{-0.3, 0.3};
+    const auto ticks = even(5000, 1e-3);
+    auto stamps = ticks;
+    for (double& t : stamps) t += 1e-3 * uniform(random);
+    const auto times = even_times(stamps, path(ticks), 1e-3);  // the loop read at its ticks
+    REQUIRE(times);
+    CHECK(times->back() - times->front() == Approx(4.999));
+    CHECK_FALSE(even_times(stamps, path(stamps), 1e-3));  // the loop read when the stamps say
+}
 
 TEST_CASE("stamps that scatter about the documented period are those of an even loop", "[gap]")
 {
@@ -26,7 +46,7 @@ TEST_CASE("stamps that scatter about the documented period are those of an even 
     auto stamps = even(5000, 2e-3);  // every second tick of a loop at 1 kHz
     for (double& t : stamps) t += 0.04 * 2e-3 * normal(random);
     stamps.erase(stamps.begin() + 700, stamps.begin() + 703);  // three rows are lost
-    const auto times = even_times(stamps, 1e-3);
+    const auto times = even_times(stamps, path(stamps), 1e-3);
     REQUIRE(times);
     REQUIRE(times->size() == stamps.size());
     // told: row k at k · 2 ms, up to one shift for all
@@ -43,13 +63,13 @@ TEST_CASE("a loop that runs unevenly keeps its own times, and an even one, too",
     std::normal_distribution<double> normal;
     std::vector<double> wandering{0};
     for (int k = 1; k < 5000; ++k) wandering.push_back(wandering.back() + 1e-3 * (1 + 0.003 * normal(random)));
-    CHECK_FALSE(even_times(wandering, 1e-3));
-    CHECK_FALSE(even_times(even(5000, 1e-3), 1e-3));
-    CHECK_FALSE(even_times(even(5000, 1.3e-3), 1e-3));  // no multiple of the period
+    CHECK_FALSE(even_times(wandering, path(wandering), 1e-3));
+    CHECK_FALSE(even_times(even(5000, 1e-3), path(even(5000, 1e-3)), 1e-3));
+    CHECK_FALSE(even_times(even(5000, 1.3e-3), path(even(5000, 1.3e-3)), 1e-3));  // no multiple of the period
     auto torn = even(5000, 1e-3);
     for (double& t : torn) t += 0.3e-3 * std::abs(normal(random));
     std::sort(torn.begin(), torn.end());
-    CHECK_FALSE(even_times(torn, 1e-3));
+    CHECK_FALSE(even_times(torn, path(torn), 1e-3));
 }
 
 TEST_CASE("a wrong gain is read off a command whose time stamps scatter and whose log has holes", "[gap]")

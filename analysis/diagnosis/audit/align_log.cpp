@@ -1,0 +1,95 @@
+#include "analysis/diagnosis/audit/align_log.h"
+
+#include "analysis/diagnosis/audit/gain_regression.h"
+#include "analysis/diagnosis/plant/controller.h"
+#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/numerics/line_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace stickslip::gap {
+namespace {
+
+constexpr int most_ticks = 3;                           // numerical: of a shift; a later one is a delay of the joint
+constexpr double least_scale = 0.8, most_scale = 1.25;  // numerical: as far as a scale of the encoder is looked for
+constexpr double scale_step = 0.005;                    // numerical: of the first search
+
+double misfit_of(const std::vector<Case>& cases, double limit)
+{
+    return mean_misfit(gains_of(cases, cases[0].joint.control.velocity_estimate.tau, limit));
+}
+
+/// The reference of so many ticks later; what lies beyond the log is as at its end.
+std::vector<double> later(const std::vector<double>& of, int ticks)
+{
+    std::vector<double> shifted(of.size());
+    const auto last = static_cast<std::ptrdiff_t>(of.size()) - 1;
+    for (std::ptrdiff_t k = 0; k <= last; ++k)
+        shifted[static_cast<std::size_t>(k)] =
+            of[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k + ticks, 0, last))];
+    return shifted;
+}
+
+std::vector<Case> with_reference_later(std::vector<Case> cases, int ticks)
+{
+    for (auto& c : cases) {
+        c.ticks.reference = later(c.ticks.reference, ticks);
+        c.ticks.reference_rate = later(c.ticks.reference_rate, ticks);
+    }
+    return cases;
+}
+
+std::vector<Case> with_positions_over(std::vector<Case> cases, double scale)
+{
+    for (auto& c : cases) {
+        for (double& y : c.ticks.position) y /= scale;
+        for (double& v : c.ticks.velocity) v /= scale;
+        c.ticks.initial_velocity /= scale, c.ticks.initial_acceleration /= scale;
+    }
+    return cases;
+}
+
+bool align_reference(std::vector<Case>& cases, double limit, double enough, Audit& result)
+{
+    for (int ticks = 1; ticks <= most_ticks; ++ticks)
+        for (const int later : {ticks, -ticks}) {
+            auto shifted = with_reference_later(cases, later);
+            if (misfit_of(shifted, limit) > enough) continue;
+            cases = std::move(shifted);
+            const double period = cases[0].ticks.step[0];
+            result.notes.push_back({.code = later > 0 ? Note::Code::reference_late : Note::Code::reference_early,
+                                    .values = {static_cast<double>(ticks), ticks * period}});
+            return true;
+        }
+    return false;
+}
+
+bool align_scale(std::vector<Case>& cases, double limit, double enough, Audit& result)
+{
+    const auto misfit = [&](double scale) { return misfit_of(with_positions_over(cases, scale), limit); };
+    double best = 1, least = infinity;
+    for (double scale = least_scale; scale <= most_scale; scale += scale_step)
+        if (const double m = misfit(scale); m < least) least = m, best = scale;
+    const double scale = least_between(best - scale_step, best + scale_step, misfit);
+    if (std::abs(scale - 1) <= policy::flagged_gain || misfit(scale) > enough) return false;
+    cases = with_positions_over(std::move(cases), scale);
+    result.notes.push_back({.code = Note::Code::positions_scaled, .values = {scale}});
+    return true;
+}
+
+}  // namespace
+
+void align_log(std::vector<Case>& cases, double limit, Audit& result)
+{
+    const bool every_tick = std::ranges::all_of(
+        cases, [](const Case& c) { return c.ticks.ticks_per_row == 1 && c.ticks.regular && !c.ticks.lost; });
+    if (!every_tick || !is_plain(cases[0].joint.control)) return;
+    const double as_logged = misfit_of(cases, limit), enough = policy::much_better * as_logged;
+    if (as_logged <= policy::understood) return;
+    const double understood = std::min(enough, policy::understood);
+    if (!align_reference(cases, limit, understood, result)) align_scale(cases, limit, understood, result);
+}
+
+}  // namespace stickslip::gap

@@ -85,6 +85,8 @@ void report_rivals(const Prepared& p, const ParallelFor& parallel, const Finding
                    const Attribution& winner, Diagnosis& d)
 {
     if (f.by_ladder) {
+        if (f.judged.only_corrections)
+            for (std::size_t i = 1; i < d.effects.size(); ++i) d.ambiguous_with.push_back(d.effects[i].names);
         if (!f.judged.named) return;
         const auto near = indistinguishable(f.judged);
         for (const auto& rival : near)

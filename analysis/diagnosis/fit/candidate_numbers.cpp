@@ -103,4 +103,22 @@ Plant edited_plant(const Joint& joint, const Candidate& candidate, const std::ve
     return plant;
 }
 
+double parameters_more(const Candidate& c, const Candidate& than)
+{
+    return std::max(0.0, static_cast<double>(c.parameter_count()) - static_cast<double>(than.parameter_count()));
+}
+
+bool makes_the_motion_of(const Candidate& one, const Candidate& rival)
+{
+    const auto only_in = [](const Candidate& c, const Candidate& not_in) {
+        std::vector<std::size_t> members;
+        for (std::size_t i = 0; i < c.effects.size(); ++i)
+            if (std::ranges::count(not_in.effects, c.effects[i]) == 0) members.push_back(i);
+        return members;
+    };
+    const auto own = only_in(one, rival), others = only_in(rival, one);
+    return own.size() == 1 && others.size() == 1 &&
+           std::ranges::count(rival.forms[others[0]]->same_motion, one.effects[own[0]]->name) > 0;
+}
+
 }  // namespace stickslip::gap

@@ -14,4 +14,10 @@ double prior_mean(const Candidate& c, std::size_t parameter);
 /// Whose value a number is: that of the record of this number, or of none where all share it.
 std::optional<std::size_t> record_of(const Candidate& c, std::size_t parameter);
 
+/// How many numbers more than another set of causes this one has.
+double parameters_more(const Candidate& c, const Candidate& than);
+
+/// Whether a rival, some of its numbers at nothing, makes the very motion of the cause in whose place it stands.
+bool makes_the_motion_of(const Candidate& one, const Candidate& rival);
+
 }  // namespace stickslip::gap

@@ -182,6 +182,7 @@ class Descent {
         const Eigen::Map<const Eigen::VectorXd> w(weights_.data(), r.size());
         const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian_;
         normal_ = jacobian_.transpose() * weighted;
+        at_.information = normal_;
         gradient_ = weighted.transpose() * r;
         for (Eigen::Index i = 0; i < size() && candidate_.prior_weight > 0; ++i)
             if (const double sd = candidate_.sd_of(static_cast<std::size_t>(i)); sd > 0) {
@@ -189,7 +190,6 @@ class Descent {
                 normal_(i, i) += row;
                 gradient_[i] += row * (at_.x[i] - prior_mean(candidate_, static_cast<std::size_t>(i)));
             }
-        at_.information = normal_;
     }
 
     Eigen::VectorXd damped_step(double by) const

@@ -1,6 +1,7 @@
 // The ladder of the set that a climb has ended at, and what is asked of it.
 #include "analysis/diagnosis/ladder/ladder.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/fit_set.h"
 #include "analysis/diagnosis/search/search.h"
@@ -43,9 +44,22 @@ Ladder LadderSearch::finished(FittedSet set)
         const auto others = climber_->in_place_of(ladder.rungs[i], below);
         ladder.rivals.emplace_back(others.begin(), others.end());
     }
+    if (ladder.rungs.size() == 1) add_wrong_numbers(ladder);
     try_rivals_in_the_last(ladder);
     correct_alone(ladder);
     return ladder;
+}
+
+void LadderSearch::add_wrong_numbers(Ladder& ladder) const
+{
+    const auto& causes = ladder.rungs[0].causes.effects;
+    if (!wrong_numbers_ || std::ranges::any_of(wrong_numbers_->causes.effects,
+                                               [&](const Effect* e) { return std::ranges::count(causes, e) > 0; }))
+        return;
+    auto& rivals = ladder.rivals[0];
+    for (const auto& set : climber_->judged({{wrong_numbers_->causes, nullptr, nullptr, {}, 0, wrong_numbers_->fit.x}}))
+        if (set.plausible && !set.correction) rivals.emplace_back(set);
+    std::ranges::stable_sort(rivals, {}, &FittedSet::misfit);
 }
 
 bool LadderSearch::usually_off() const
@@ -110,7 +124,8 @@ void LadderSearch::try_rivals_in_the_last(Ladder& ladder) const
         auto& rivals = ladder.rivals[i];
         for (std::size_t k = 0; k < std::min(most, rivals.size()); ++k) {
             rivals[k].in_the_last.reset();
-            if (rivals[k].misfit < rung.misfit + out_of_question * margin_of(rung, rules_))
+            if (rivals[k].misfit < rung.misfit + out_of_question * margin_of(rung, rules_) ||
+                makes_the_motion_of(rung.causes, rivals[k].causes))
                 rivals[k].in_the_last = climber_->misfit_in(ladder.last(), rung.causes, rivals[k]);
         }
     }

@@ -87,7 +87,8 @@ class Climber {
     /// Of the causes of a set the one without which least is lost goes last, and so on down. Without a cause its number
     /// is as documented: where its correction came back and took most of the cause's place, the gap would not be the
     /// cause's. Where corrections stand in for it, they stay as they are beside it. Small terms of every machine go
-    /// behind all others: alone one of them may grow into another's place.
+    /// behind all others: alone one of them may grow into another's place. Causes that take something only together
+    /// are one rung, unless they are the first.
     std::vector<FittedSet> in_order(FittedSet set) const;
 
     /// Other sets of as many causes as this one that hold all causes of the one below it, best first. What stands in

@@ -137,6 +137,8 @@ class LadderSearch {
     FittedSet settled(FittedSet set);
     Ladder finished(FittedSet set);
     void correct_alone(Ladder& ladder) const;
+    /// Several numbers of the document, where they could be the answer in the place of one cause.
+    void add_wrong_numbers(Ladder& ladder) const;
     /// What is near to a lower rung alone may be out of the question beside the rungs on top of it.
     void try_rivals_in_the_last(Ladder& ladder) const;
 

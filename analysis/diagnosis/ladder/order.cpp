@@ -52,6 +52,12 @@ std::vector<FittedSet> Climber::in_order(FittedSet set) const
         order.push_back(less[last_of(order.back(), lost)]);
     }
     std::reverse(order.begin(), order.end());
+    // what takes nothing without the next cause is told with it
+    for (std::size_t i = 1; i + 1 < order.size();)
+        if (earns(order[i - 1], order[i], rules_))
+            ++i;
+        else
+            order.erase(order.begin() + static_cast<std::ptrdiff_t>(i));
     return order;
 }
 

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/chances.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/ladder/ladder.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/results/diagnosis.h"
@@ -49,15 +50,19 @@ std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
         return std::exp(std::min(0.0, misfit - of_rival) / margin);
     };
     std::vector<double> all;
-    for (const auto& rival : j.ladder.rivals[i])
+    for (const auto& rival : j.ladder.rivals[i]) {
+        const bool same = makes_the_motion_of(rung.causes, rival.causes);
+        // what makes the very motion is not worse by the numbers that it has more
+        const double needless = same ? policy::price_of_parameter * parameters_more(rival.causes, rung.causes) : 0;
         // another rung of this ladder is no rival
-        if (settled || std::ranges::all_of(rival.causes.effects, in_the_set) ||
+        if ((settled && !(same && rival.in_the_last)) || std::ranges::all_of(rival.causes.effects, in_the_set) ||
             std::ranges::any_of(rival.causes.effects, is_dropped))
             all.push_back(0);
         else if (rival.in_the_last)
-            all.push_back(odds(last.misfit, *rival.in_the_last, margin_of(last, policy::ladder)));
+            all.push_back(odds(last.misfit + needless, *rival.in_the_last, margin_of(last, policy::ladder)));
         else
-            all.push_back(odds(rung.misfit, rival.misfit, margin_of(rung, policy::ladder)));
+            all.push_back(odds(rung.misfit + needless, rival.misfit, margin_of(rung, policy::ladder)));
+    }
     return all;
 }
 

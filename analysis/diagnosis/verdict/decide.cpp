@@ -1,6 +1,7 @@
 // Which of the causes that were fitted is named, what cannot be told from it, and how likely each is.
 #include "analysis/diagnosis/verdict/decide.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/moment.h"
 #include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
@@ -32,18 +33,7 @@ double by_chance(const Attribution& winner, const Attribution& rival)
 double needless_parameters(const Attribution& winner, const Attribution& rival)
 {
     const Candidate &one = winner.candidate, &other = rival.candidate;
-    const auto parameters = [](const Candidate& c) { return static_cast<double>(c.parameter_count()); };
-    const auto only_in = [](const Candidate& c, const Candidate& not_in) {
-        std::vector<std::size_t> members;
-        for (std::size_t i = 0; i < c.effects.size(); ++i)
-            if (std::ranges::count(not_in.effects, c.effects[i]) == 0) members.push_back(i);
-        return members;
-    };
-    const auto own = only_in(one, other), others = only_in(other, one);
-    if (own.size() == 1 && others.size() == 1 &&
-        std::ranges::count(other.forms[others[0]]->same_motion, one.effects[own[0]]->name) > 0)
-        return 0;
-    return std::max(0.0, parameters(other) - parameters(one));
+    return makes_the_motion_of(one, other) ? 0 : parameters_more(other, one);
 }
 
 /// Of a rival against the winner: the likelihood of their innovations over so many rows, less for needless parameters.

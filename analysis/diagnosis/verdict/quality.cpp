@@ -10,7 +10,7 @@
 namespace stickslip::gap {
 namespace {
 
-/// Covariance and standard errors from the information at the middle level.
+/// Covariance and standard errors from the information at the middle level and the priors of corrections.
 void find_errors(const std::vector<Case>& cases, const Attribution& a, const Scales& scales, Quality& q)
 {
     const auto n = static_cast<Eigen::Index>(a.candidate.parameter_count());
@@ -21,8 +21,12 @@ void find_errors(const std::vector<Case>& cases, const Attribution& a, const Sca
     const double per_record = rows_of(cases) / static_cast<double>(cases.size());
     double left = 0;
     for (const auto& m : a.evaluation[1].records) left = std::max(left, m.position);
-    q.covariance = (a.information * per_record).completeOrthogonalDecomposition().pseudoInverse();
-    q.covariance *= std::max(1.0, left);
+    Eigen::MatrixXd information = a.information * (per_record / std::max(1.0, left));
+    // along what the records leave open a number is known as well as its document says
+    for (Eigen::Index i = 0; i < n; ++i)
+        if (const double sd = a.candidate.sd_of(static_cast<std::size_t>(i)); sd > 0)
+            information(i, i) += 1 / (sd * sd);
+    q.covariance = information.completeOrthogonalDecomposition().pseudoInverse();
     for (Eigen::Index i = 0; i < n; ++i) {
         // nothing depends on it, on a friction corrected to nothing, say: the others keep their errors
         if (!(a.information(i, i) > 0)) q.covariance(i, i) = infinity;

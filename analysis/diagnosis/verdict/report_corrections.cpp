@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/quality.h"
 
 #include <algorithm>
@@ -82,6 +83,59 @@ double taken_by_numbers(const JudgedLadder& j)
     double sum = 0;
     for (const auto& [effect, share] : j.numbers) sum += share.share;
     return sum;
+}
+
+namespace {
+
+/// Of several numbers that are named as off the sets without one that the records do not hold off its document: over
+/// one direction of sliding a Coulomb level and a constant load are one number, and only their priors divide it.
+std::vector<std::vector<std::string>> fewer_numbers(const Prepared& p, const JudgedLadder& j,
+                                                    const std::vector<std::string>& named)
+{
+    constexpr double hardly_held = 100;    // numerical: of a prior's width; what stands along it is open
+    constexpr double two_sided_95 = 1.96;  // standard deviations
+    Attribution free = j.winner;
+    for (double& sd : free.candidate.prior_sd) sd *= hardly_held;
+    const Candidate& c = free.candidate;
+    const auto covariance = quality_of(p.cases, free, p.scales).covariance;
+    std::vector<std::vector<std::string>> sets;
+    Eigen::Index at = 0;
+    for (std::size_t n = 0; n < j.corrections; ++n) {
+        const auto count = static_cast<Eigen::Index>(c.count_of(*c.forms[n]));
+        const auto name = std::ranges::find(named, c.effects[n]->name);
+        const bool one = c.forms[n]->own == 0 && count == 1 && covariance.rows() > at;
+        if (named.size() > 1 && name != named.end() && one &&
+            std::abs(j.winner.x[ladder_level][at]) < two_sided_95 * std::sqrt(covariance(at, at))) {
+            sets.push_back(named);
+            sets.back().erase(sets.back().begin() + (name - named.begin()));
+        }
+        at += count;
+    }
+    return sets;
+}
+
+}  // namespace
+
+std::vector<Cause> numbers_alone(const Prepared& p, const JudgedLadder& j)
+{
+    Cause c = cause_of(p, j.winner, j.noise_left ? policy::numbers_to_noise : policy::numbers_and_more);
+    c.names = j.numbers.empty() ? that_matter(p, j) : j.with_numbers({});
+    c.signature_text = "in proportion to the numbers that are off";
+    std::erase_if(c.parameters, [&](const auto& parameter) {
+        return std::ranges::none_of(c.names, [&](const auto& n) { return is_of(parameter, n); });
+    });
+    c.heldout_gain = 1 - std::sqrt(j.shares.base / std::max(1e-300, j.shares.documented));
+    const auto fewer = fewer_numbers(p, j, c.names);
+    c.probability /= static_cast<double>(1 + fewer.size());
+    std::vector<Cause> causes{std::move(c)};
+    for (const auto& names : fewer) {
+        Cause rival;
+        rival.names = names;
+        rival.probability = causes[0].probability;
+        rival.misfit = causes[0].misfit;
+        causes.push_back(std::move(rival));
+    }
+    return causes;
 }
 
 }  // namespace stickslip::gap

@@ -17,4 +17,7 @@ std::vector<std::string> that_matter(const Prepared& p, const JudgedLadder& j);
 /// What of the gap all numbers of the document together take that are causes.
 double taken_by_numbers(const JudgedLadder& j);
 
+/// No cause, but numbers that the document has wrong, and fewer of them where the records divide them as well.
+std::vector<Cause> numbers_alone(const Prepared& p, const JudgedLadder& j);
+
 }  // namespace stickslip::gap

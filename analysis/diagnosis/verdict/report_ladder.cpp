@@ -182,20 +182,8 @@ void report_ladder(const Prepared& p, const Findings& f, double audited, Diagnos
 
 std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
 {
+    if (j.ladder.rungs.empty()) return j.only_corrections ? numbers_alone(p, j) : std::vector<Cause>{};
     std::vector<Cause> causes;
-    if (j.ladder.rungs.empty()) {
-        if (!j.only_corrections) return causes;
-        // no cause, but numbers that the document has wrong
-        Cause c = cause_of(p, j.winner, j.noise_left ? policy::numbers_to_noise : policy::numbers_and_more);
-        c.names = j.numbers.empty() ? that_matter(p, j) : j.with_numbers({});
-        c.signature_text = "in proportion to the numbers that are off";
-        std::erase_if(c.parameters, [&](const auto& parameter) {
-            return std::ranges::none_of(c.names, [&](const auto& n) { return is_of(parameter, n); });
-        });
-        c.heldout_gain = 1 - std::sqrt(j.shares.base / std::max(1e-300, j.shares.documented));
-        causes.push_back(std::move(c));
-        return causes;
-    }
     const double all = chance_of_all(j);
     Cause first = cause_of(p, j.winner, j.named ? all : policy::believed_unnamed * all, j.corrections);
     const auto gain = [&](const FittedSet& set) {

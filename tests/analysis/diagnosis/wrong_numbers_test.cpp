@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace stickslip;
 using stickslip::test::in_order;
@@ -66,4 +67,80 @@ TEST_CASE("gravity that is documented with the wrong sign is named", "[gap][slow
     const auto d = test::answer(joint, two_records(m), in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects[0].names == std::vector<std::string>{"gravity"});
+}
+
+namespace {
+
+/// One slow slide in one direction: Coulomb friction and a constant load are one number in it.
+Record one_way(const Machine& m, unsigned seed)
+{
+    Record r;
+    r.name = "one-way-" + std::to_string(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    test::MachineState now;
+    double estimate = 0, last = 0;
+    constexpr double period = 1e-3, h = 1e-5;
+    for (int k = 0; k < 6000; ++k) {
+        const double t = k * period, wave = 2 + 0.3 * seed;
+        const double reference = 0.02 * (t - std::sin(wave * t) / wave), rate = 0.02 * (1 - std::cos(wave * t));
+        const double y = m.quantum * std::round((now.q + m.noise * normal(random)) / m.quantum);
+        if (k > 0) estimate += period / (m.tau + period) * ((y - last) / period - estimate);
+        last = y;
+        const double u = m.k_p * (reference - y) + m.k_v * (rate - estimate);
+        r.time.push_back(t), r.position.push_back(y), r.velocity.push_back(estimate), r.effort_command.push_back(u);
+        r.reference_position.push_back(reference), r.reference_velocity.push_back(rate);
+        for (int i = 0; i < 100; ++i) test::step(m, now, u, t + i * h, h);
+    }
+    return r;
+}
+
+}  // namespace
+
+TEST_CASE("what one direction of sliding cannot divide is told as wide as the document leaves it", "[gap][slow]")
+{
+    Machine m;
+    m.coulomb *= 1.1;
+    const auto d = test::answer(test::nominal_joint(), {one_way(m, 1), one_way(m, 2)}, in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto& named = d.effects[0];
+    REQUIRE(named.names == std::vector<std::string>{"coulomb-level", "constant-load"});
+    // both numbers have a prior of 5 % of the Coulomb level; the records give their difference alone
+    const double prior = 0.05 * 2, along = prior / std::sqrt(2.0);
+    for (const auto& parameter : named.parameters) CHECK(parameter.standard_error == Approx(along).epsilon(0.1));
+    CHECK(d.ambiguous_with == std::vector<std::vector<std::string>>{{"constant-load"}, {"coulomb-level"}});
+}
+
+TEST_CASE("numbers that are all wrong by one factor are a rival of the torque constant that says the same",
+          "[gap][slow]")
+{
+    Machine m;
+    m.inertia *= 1.25, m.coulomb *= 1.25, m.viscous *= 1.25, m.effort_noise = 0.01;
+    m.load = 0.15;  // a correction beside either
+    const auto d = test::answer(test::nominal_joint(), two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto is_listed = [&](std::vector<std::string> names) {
+        return std::ranges::any_of(d.effects,
+                                   [&](const Cause& cause) { return std::ranges::is_permutation(cause.names, names); });
+    };
+    CHECK(is_listed({"effort-gain"}));
+    CHECK(is_listed({"coulomb-level", "inertia", "viscous"}));
+}
+
+TEST_CASE("friction that differs by direction is told beside the constant load that makes the same motion",
+          "[gap][slow]")
+{
+    Machine m;
+    m.load = -0.4, m.coulomb *= 1.2;
+    const auto d = test::answer(test::nominal_joint(), two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto has = [](const std::vector<std::string>& names, const char* name) {
+        return std::ranges::count(names, name) > 0;
+    };
+    CHECK((has(d.effects[0].names, "constant-load") || has(d.effects[0].names, "asymmetric-friction")));
+    const bool other = std::ranges::any_of(d.ambiguous_with, [&](const auto& names) {
+        return has(names, "constant-load") != has(d.effects[0].names, "constant-load") &&
+               has(names, "asymmetric-friction") != has(d.effects[0].names, "asymmetric-friction");
+    });
+    CHECK(other);
 }

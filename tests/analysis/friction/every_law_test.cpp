@@ -60,7 +60,8 @@ TEST_CASE("derivatives of every law agree with differences", "[friction]")
 {
     std::mt19937_64 random(seed);
     INFO("seed " << seed);
-    for (const auto& [name, law] : samples::laws()) {
+    for (const auto& [name, sample] : samples::laws()) {
+        const auto& law = sample;  // Clang 14 captures no structured binding
         for (const double V : velocities(law)) {
             const States theta = transient(law, V, random);
             const auto r = respond(law, V, theta);

@@ -18,7 +18,7 @@ namespace Matchers {
 inline StringContainsMatcher Contains(const std::string& part) { return ContainsSubstring(part); }
 
 }  // namespace Matchers
-using Matchers::Contains, Matchers::EndsWith, Matchers::StartsWith;
+using Matchers::Contains, Matchers::EndsWith, Matchers::Matches, Matchers::StartsWith;
 
 }  // namespace Catch
 

@@ -59,7 +59,7 @@ inline bool is_of(const FittedParameter& parameter, std::string_view effect)
 
 /// A number of the joint with a cause in it, as a data sheet has it: the level of one direction, not half a difference.
 struct SheetValue {
-    std::string name;  ///< "Coulomb level, positive direction"
+    std::string key;  ///< what files call it: "Coulomb level, positive direction"
     double value = 0;
     ConfidenceInterval interval;  ///< 95 %
     std::string unit;
@@ -79,8 +79,9 @@ struct Cause {
     ConfidenceInterval force_gain_interval;    ///< 95 %
     bool signature = false;                    ///< it is in the records
     bool plausible = true;                     ///< its numbers are not at a bound and not out of all proportion
-    std::string signature_text;                ///< what the signature is
-    double misfit = 0;                         ///< score of the fit; 0 is noise
+    /// Whose signature that is: effects, `law:` and a friction law among outcomes, `numbers` of documents that are off.
+    std::vector<std::string> signatures;
+    double misfit = 0;  ///< score of the fit; 0 is noise
 };
 
 /// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
 
@@ -98,7 +99,7 @@ Table values_table(const Diagnosis& d)
 {
     Table t{"Parameters of the joint with the first cause", {"parameter", "value, 95 % interval"}, {}};
     if (!d.effects.empty())
-        for (const auto& v : d.effects[0].values) t.rows.push_back({v.name, value_text(v)});
+        for (const auto& v : d.effects[0].values) t.rows.push_back({sheet_label(v.key), value_text(v)});
     return t;
 }
 

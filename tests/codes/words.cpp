@@ -20,6 +20,7 @@
 #include "sweep/words/robot_text.h"
 #include "sweep/words/set_point_design_text.h"
 #include "sweep/words/set_point_text.h"
+#include "sweep/words/signature_text.h"
 #include "sweep/words/study_text.h"
 #include "sweep/words/suspicion_text.h"
 #include "sweep/words/timeline_text.h"
@@ -50,6 +51,16 @@ std::string design_words(Region)
 std::string cause_text(const Cause&, const Joint&, const Joint&)
 {
     return "#cause";
+}
+
+std::string signature_text(const std::vector<std::string>&)
+{
+    return "#signature";
+}
+
+std::string sheet_label(const std::string&)
+{
+    return "#sheet";
 }
 
 std::string impossible_inertia_text(const ImpossibleInertia&)

@@ -9,7 +9,6 @@ Effect actuator_lag()
     e.stage = Stage::actuator;
     e.form = "1/(1 + s tau)";
     e.source = "Franklin, Powell and Workman 1998";
-    e.signature = "phase, at high frequency";
     e.confusable = {"delay", "compliance"};
     {
         EffectForm f;

@@ -9,7 +9,6 @@ Effect asymmetric_friction()
     e.stage = Stage::friction;
     e.form = "F_c and F_v differ by direction";
     e.source = "Janot, Gautier and Brunot 2019";
-    e.signature = "friction differs between the directions";
     e.confusable = {"constant-load", "viscous"};
     {
         EffectForm f;

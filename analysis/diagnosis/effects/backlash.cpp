@@ -67,7 +67,6 @@ Effect backlash()
     e.of_transmission = true;
     e.form = "backlash between motor and link";
     e.source = "Nordin and Gutman 2002";
-    e.signature = "flat gap and impact at reversal";
     e.confusable = {"presliding", "compliance"};
     add_divided_mass(e);
     add_two_mass(e);

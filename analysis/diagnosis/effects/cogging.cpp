@@ -9,7 +9,6 @@ Effect cogging()
     e.stage = Stage::mechanism;
     e.form = "A sin(n q + phi)";
     e.source = "Hanselman 2006";
-    e.signature = "locked to position, does not flip with velocity";
     e.confusable = {"position-dependent-friction", "periodic-disturbance"};
     {
         EffectForm f;

@@ -108,7 +108,6 @@ Effect compliance()
     e.of_transmission = true;
     e.form = "two inertias, stiffness, damping";
     e.source = "Spong 1987";
-    e.signature = "resonance; extra lag that grows with acceleration";
     e.confusable = {"delay", "presliding", "backlash"};
     add_divided_mass(e);
     add_two_mass(e);

@@ -9,7 +9,6 @@ Effect constant_load()
     e.stage = Stage::mechanism;
     e.form = "offset";
     e.source = "d'Alembert 1743";
-    e.signature = "even in velocity, constant";
     e.confusable = {"asymmetric-friction", "gravity"};
     {
         EffectForm f;

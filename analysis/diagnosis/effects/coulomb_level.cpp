@@ -9,7 +9,6 @@ Effect coulomb_level()
     e.stage = Stage::friction;
     e.form = "F_c sgn v";
     e.source = "Coulomb 1785";
-    e.signature = "square in the sign of velocity";
     e.confusable = {"constant-load", "asymmetric-friction", "load-dependent-friction"};
     {
         EffectForm f;

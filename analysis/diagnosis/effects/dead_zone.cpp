@@ -10,7 +10,6 @@ Effect dead_zone()
     e.in_command = true;
     e.form = "position errors within the zone count as none";
     e.source = "Armstrong-Helouvry, Dupont and Canudas de Wit 1994";
-    e.signature = "the command is the proportional part less k_p times the zone, and nothing within it";
     e.confusable = {"gain-k_p", "backlash"};
     {
         EffectForm f;

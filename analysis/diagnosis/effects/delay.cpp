@@ -9,7 +9,6 @@ Effect delay()
     e.stage = Stage::controller;
     e.form = "u(t - T)";
     e.source = "Franklin, Powell and Workman 1998";
-    e.signature = "phase linear in frequency";
     e.confusable = {"actuator-lag", "velocity-filter", "compliance"};
     {
         EffectForm f;

@@ -45,7 +45,6 @@ Effect effort_gain()
     e.scales_reading = true;
     e.form = "(1 + epsilon) u";
     e.source = "Lynch and Park 2017";
-    e.signature = "proportional to effort";
     e.confusable = {"inertia", "gain-k_p"};
     {
         EffectForm f;

@@ -10,7 +10,6 @@ Effect feed_forward()
     e.in_command = true;
     e.form = "coulomb tanh(r'/speed) + acceleration r'', and the share of r' in the velocity error";
     e.source = "Franklin, Powell and Workman 1998; Armstrong-Helouvry, Dupont and Canudas de Wit 1994";
-    e.signature = "a function of the reference alone, in the command";
     e.confusable = {"coulomb-level", "inertia"};
     const auto form = [&](std::string_view name, std::string_view help, void (*apply)(Joint&, const double*),
                           bool (*applies)(const Joint&)) {

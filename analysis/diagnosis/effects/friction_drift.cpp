@@ -9,7 +9,6 @@ Effect friction_drift()
     e.stage = Stage::friction;
     e.form = "Coulomb level warms up with time";
     e.source = "Armstrong-Helouvry 1991";
-    e.signature = "slow trend of the friction level";
     e.confusable = {"coulomb-level"};
     {
         EffectForm f;

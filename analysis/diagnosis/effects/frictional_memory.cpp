@@ -37,7 +37,6 @@ Effect frictional_memory()
     e.stage = Stage::friction;
     e.form = "rate-and-state memory or a lag";
     e.source = "Dupont 1991, (4)-(5); Hess and Soom 1990";
-    e.signature = "transient after a speed change, in slip distance";
     e.confusable = {"stribeck", "presliding", "actuator-lag"};
     {
         EffectForm f = rate_and_state("slip");

@@ -19,7 +19,6 @@ Effect gain_k_i()
     e.in_command = true;
     e.form = "(1 + epsilon) k_i, in a cascade K_i or 1/T_n; k_i that the document lacks; another limit of the integral";
     e.source = "Franklin, Powell and Workman 1998; Armstrong-Helouvry and Amin 1996";
-    e.signature = "proportional to the integral of the position error, in the command";
     e.confusable = {"constant-load", "gain-k_p"};
     {
         EffectForm f;

@@ -10,7 +10,6 @@ Effect gain_k_p()
     e.in_command = true;
     e.form = "(1 + epsilon) k_p";
     e.source = "Franklin, Powell and Workman 1998";
-    e.signature = "proportional to the tracking error, in the command";
     e.confusable = {"effort-gain"};
     {
         EffectForm f;

@@ -10,7 +10,6 @@ Effect gain_k_v()
     e.in_command = true;
     e.form = "(1 + epsilon) k_v";
     e.source = "Franklin, Powell and Workman 1998";
-    e.signature = "proportional to the velocity error, in the command";
     e.confusable = {"viscous"};
     {
         EffectForm f;

@@ -18,7 +18,6 @@ Effect gravity()
     e.stage = Stage::mechanism;
     e.form = "m g l sin(q + phi)";
     e.source = "Newton 1687";
-    e.signature = "even in velocity, sine of position";
     e.confusable = {"sensor-offset", "constant-load", "cogging"};
     // a documented one of the wrong sign is off by twice its amplitude, of which a record near the bottom feels little
     constexpr double widest = 10;

@@ -9,7 +9,6 @@ Effect inertia()
     e.stage = Stage::mechanism;
     e.form = "dJ a";
     e.source = "Newton 1687";
-    e.signature = "proportional to acceleration";
     e.confusable = {"effort-gain", "sensor-offset"};
     {
         EffectForm f;

@@ -9,7 +9,6 @@ Effect load_dependent_friction()
     e.stage = Stage::friction;
     e.form = "mu |transmitted effort| sgn v";
     e.source = "Amontons 1699";
-    e.signature = "friction grows with the transmitted effort";
     e.confusable = {"effort-gain", "coulomb-level", "stribeck"};
     {
         EffectForm f;

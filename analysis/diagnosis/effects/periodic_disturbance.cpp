@@ -9,7 +9,6 @@ Effect periodic_disturbance()
     e.stage = Stage::outside;
     e.form = "A sin(omega t + phi)";
     e.source = "Francis and Wonham 1976";
-    e.signature = "locked to time, not to position";
     e.confusable = {"cogging"};
     {
         EffectForm f;

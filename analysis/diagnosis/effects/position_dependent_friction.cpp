@@ -9,7 +9,6 @@ Effect position_dependent_friction()
     e.stage = Stage::friction;
     e.form = "F_c(q) sgn v";
     e.source = "Armstrong-Helouvry 1991";
-    e.signature = "locked to position, flips with velocity";
     e.confusable = {"cogging"};
     {
         EffectForm f;

@@ -9,7 +9,6 @@ Effect presliding()
     e.stage = Stage::friction;
     e.form = "bristles: Dahl or LuGre";
     e.source = "Dahl 1968; Canudas de Wit et al. 1995";
-    e.signature = "spring-like loop at reversal";
     e.confusable = {"compliance", "backlash", "stribeck"};
     {
         EffectForm f;

@@ -10,7 +10,6 @@ Effect quantisation()
     e.read_off = true;  // off the grid on which the readings lie
     e.form = "floor(q/Delta) Delta";
     e.source = "Widrow and Kollar 2008";
-    e.signature = "bounded sawtooth: readings lie on a coarser grid";
     e.confusable = {"sensor-offset"};
     {
         EffectForm f;

@@ -9,7 +9,6 @@ Effect saturation()
     e.stage = Stage::actuator;
     e.form = "clip(u)";
     e.source = "Hippe 2006";
-    e.signature = "only at the limit";
     e.confusable = {"supply-sag"};
     {
         EffectForm f;

@@ -9,7 +9,6 @@ Effect sensor_offset()
     e.stage = Stage::sensor;
     e.form = "q + q_0, scale";
     e.source = "Fraden 2016";
-    e.signature = "sine of position under gravity";
     e.confusable = {"gravity", "inertia"};
     {
         EffectForm f;

@@ -9,7 +9,6 @@ Effect stribeck()
     e.stage = Stage::friction;
     e.form = "c2 exp(-(|v|/c3)^c4) sgn v";
     e.source = "Dupont 1991, (7)";
-    e.signature = "friction falls from rest to low speed, then flat";
     e.confusable = {"frictional-memory", "presliding", "coulomb-level"};
     {
         EffectForm f;

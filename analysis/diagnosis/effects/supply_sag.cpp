@@ -9,7 +9,6 @@ Effect supply_sag()
     e.stage = Stage::actuator;
     e.form = "V_0 - R_b i";
     e.source = "Hughes and Drury 2013";
-    e.signature = "grows with drive";
     e.confusable = {"saturation", "effort-gain"};
     {
         EffectForm f;

@@ -10,7 +10,6 @@ Effect velocity_filter()
     e.in_command = true;
     e.form = "first-order filter on the k_v path";
     e.source = "Franklin, Powell and Workman 1998";
-    e.signature = "acts with k_v only";
     e.confusable = {"delay"};
     {
         EffectForm f;

@@ -17,7 +17,6 @@ Effect viscous()
     e.stage = Stage::friction;
     e.form = "F_v v";
     e.source = "Reynolds 1886";
-    e.signature = "linear in velocity";
     e.confusable = {"actuator-lag", "effort-gain"};
     {
         EffectForm f;

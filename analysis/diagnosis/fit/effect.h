@@ -122,9 +122,8 @@ struct EffectForm {
 struct Effect {
     std::string_view name;
     Stage stage = Stage::friction;
-    std::string_view form;       ///< formula in words
-    std::string_view source;     ///< who described it
-    std::string_view signature;  ///< that a true one leaves
+    std::string_view form;    ///< formula in words
+    std::string_view source;  ///< who described it
     std::vector<std::string_view> confusable;
     std::vector<EffectForm> forms;
     /// The first form with more freedom of shape, its further parameters behind its own. It is not searched for: in a

@@ -28,7 +28,6 @@ struct RivalNumber {
 struct RivalLaw {
     std::string_view law;     ///< of `list laws`
     std::string_view effect;  ///< of the catalogue, that a nominal joint without it would lack
-    std::string_view signature_text;
     bool memory = false;
     std::vector<RivalNumber> numbers;
     FrictionLaw (*make)(const OutcomeScales& scales, const double* x);

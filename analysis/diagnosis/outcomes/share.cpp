@@ -51,7 +51,7 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
     c.names = {std::string(fit.rival->effect)};
     c.form = fit.rival->law;
     c.probability = fit.posterior;
-    c.signature_text = fit.rival->signature_text;
+    c.signatures = {"law:" + std::string(fit.rival->law)};
     c.misfit = -fit.total() / static_cast<double>(o.size());
     for (std::size_t k = 0; k < fit.rival->numbers.size(); ++k) {
         const auto& n = fit.rival->numbers[k];

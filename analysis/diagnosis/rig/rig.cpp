@@ -71,7 +71,7 @@ Cause cause_of(const Rig& rig, const RigRival& rival, const Entry& e, const Entr
         c.heldout_gain_interval.high = std::max(c.heldout_gain_interval.high, gain);
     }
     c.signature = c.heldout_gain > policy::worth_a_rig_law;
-    if (const Effect* effect = effect_named(effect_of(rival, e))) c.signature_text = effect->signature;
+    if (effect_named(effect_of(rival, e))) c.signatures = c.names;
     const RigNumbers& p = e.fit.p;
     for (std::size_t n = 0; n < rival.parameters.size(); ++n)
         c.parameters.push_back({c.names[0] + "." + rival.parameters[n].name, p[n + 1], not_set,

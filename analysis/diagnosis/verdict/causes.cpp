@@ -18,8 +18,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     c.probability = probability;
     c.misfit = a.score;
     for (const auto& name : c.names)
-        if (const Effect* e = effect_named(name))
-            c.signature_text += (c.signature_text.empty() ? "" : "; ") + std::string(e->signature);
+        if (effect_named(name)) c.signatures.push_back(name);
     c.signature = !c.names.empty();
     if (a.candidate.effects.size() <= corrections) return c;
     const auto quality = quality_of(p.cases, a, p.scales);
@@ -35,9 +34,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
             continue;
         }
         if (std::find(c.names.begin(), c.names.end(), e.name) == c.names.end()) c.names.emplace_back(e.name);
-        const Effect* known = effect_named(e.name);  // a number of the document has the signature of its effect
-        c.signature_text +=
-            (c.signature_text.empty() ? "" : "; ") + std::string(known ? known->signature : e.signature);
+        c.signatures.emplace_back(e.name);
         if (!a.candidate.forms[n]->name.empty())
             c.form += (c.form.empty() ? "" : " + ") + std::string(a.candidate.forms[n]->name);
         const EffectForm& form = *a.candidate.forms[n];

@@ -120,7 +120,7 @@ std::vector<Cause> numbers_alone(const Prepared& p, const JudgedLadder& j)
 {
     Cause c = cause_of(p, j.winner, j.noise_left ? policy::numbers_to_noise : policy::numbers_and_more);
     c.names = j.numbers.empty() ? that_matter(p, j) : j.with_numbers({});
-    c.signature_text = "in proportion to the numbers that are off";
+    c.signatures = {"numbers"};
     std::erase_if(c.parameters, [&](const auto& parameter) {
         return std::ranges::none_of(c.names, [&](const auto& n) { return is_of(parameter, n); });
     });

@@ -7,7 +7,7 @@ namespace stickslip::gap {
 namespace {
 
 struct SheetNumber {
-    std::string_view effect, name;
+    std::string_view effect, key;
     Quantity quantity;
     double (*of)(Joint& joint);  ///< one of its own, which stays as it is
     std::string_view form = {};  ///< empty: every form without a line of its own
@@ -86,7 +86,7 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
         }
         const bool both_ways = number.effect == "coulomb-level" || number.effect == "viscous";
         if (!changed || (by_direction && both_ways)) continue;
-        SheetValue v{std::string(number.name),
+        SheetValue v{std::string(number.key),
                      mean_of(number, p, c, x),
                      {},
                      std::string(unit_of(number.quantity, units_of(p.documented[0])))};

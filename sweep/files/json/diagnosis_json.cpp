@@ -3,6 +3,7 @@
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/experiment_text.h"
+#include "sweep/words/signature_text.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -31,10 +32,10 @@ Json values_json(const std::vector<SheetValue>& all)
 {
     Json values = Json::object();
     for (const auto& v : all)
-        values[v.name] = {{"value", json_number(v.value)},
-                          {"interval", interval(v.interval)},
-                          {"unit", v.unit},
-                          {"pinned", v.pinned}};
+        values[v.key] = {{"value", json_number(v.value)},
+                         {"interval", interval(v.interval)},
+                         {"unit", v.unit},
+                         {"pinned", v.pinned}};
     return values;
 }
 
@@ -49,7 +50,7 @@ Json cause_json(const Cause& cause)
                  {"heldout_gain_interval", interval(cause.heldout_gain_interval)},
                  {"signature", cause.signature},
                  {"plausible", cause.plausible},
-                 {"tell_tale", cause.signature_text},
+                 {"tell_tale", signature_text(cause.signatures)},
                  {"misfit", json_number(cause.misfit)}};
     if (std::isfinite(cause.force_gain)) {
         json["drive_force_gain"] = json_number(cause.force_gain);

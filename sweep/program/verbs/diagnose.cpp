@@ -28,6 +28,7 @@
 #include "sweep/words/guarantee_text.h"
 #include "sweep/words/outcome_text.h"
 #include "sweep/words/refusal_text.h"
+#include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
 #include <optional>
@@ -130,7 +131,8 @@ void print_answer(const JointDiagnosis& found, const GatheredRecords& given)
         fmt::print("  {:<44} probability {:.3f}\n", "none of these", none);
     if (d.set) fmt::print("  {}\n  {}\n", cause_set_text(*d.set), promise_text(*d.set));
     if (!d.effects.empty())
-        for (const auto& value : d.effects[0].values) fmt::print("  {:<44} {}\n", value.name, value_text(value));
+        for (const auto& value : d.effects[0].values)
+            fmt::print("  {:<44} {}\n", sheet_label(value.key), value_text(value));
 }
 
 int diagnose(const Options& options, const Invocation& invocation)

@@ -9,6 +9,7 @@
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/study/start/starting_joint.h"
+#include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,7 +86,7 @@ Json effect_list(bool with_parameters)
                    {"stage", gap::name_of(effect.stage)},
                    {"form", effect.form},
                    {"source", effect.source},
-                   {"signature", effect.signature}};
+                   {"signature", signature_text({std::string(effect.name)})}};
         const auto targets = targets_of(effect);
         for (std::size_t i = 0; i < targets.size() && !with_parameters; ++i)
             entry[std::string(simulators[i].name)] = name_of(targets[i].says);

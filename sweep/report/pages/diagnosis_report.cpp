@@ -12,6 +12,7 @@
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/experiment_text.h"
+#include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ Section what_section(const Diagnosis& d)
     Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
     if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
     if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
-    what.text = d.verdict == Verdict::gap ? "Signature of the first: " + d.effects[0].signature_text + "."
+    what.text = d.verdict == Verdict::gap ? "Signature of the first: " + signature_text(d.effects[0].signatures) + "."
                                           : "No cause is named; these are the candidates.";
     return what;
 }

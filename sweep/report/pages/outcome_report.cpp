@@ -5,6 +5,7 @@
 #include "sweep/report/pages/outcome_tables.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/outcome_text.h"
+#include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
 
@@ -69,7 +70,7 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
 
     Section what{"what",
                  "Which law",
-                 d.effects.empty() ? "" : "Signature of the best: " + d.effects[0].signature_text + ".",
+                 d.effects.empty() ? "" : "Signature of the best: " + signature_text(d.effects[0].signatures) + ".",
                  {},
                  {laws_table(a), numbers_table(a)}};
     Section where{"where", "Where the nominal joint is wrong", "", {}, {}};

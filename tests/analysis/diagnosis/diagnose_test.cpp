@@ -96,7 +96,6 @@ TEST_CASE(
         found.insert(e.name);
         INFO(e.name);
         CHECK(!e.source.empty());
-        CHECK(!e.signature.empty());
         CHECK(!e.forms.empty());
         for (const auto& name : e.confusable) CHECK(effect_named(name) != nullptr);
         for (const auto& f : e.forms)

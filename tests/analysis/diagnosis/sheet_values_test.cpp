@@ -36,7 +36,7 @@ TEST_CASE("a half difference is told as the numbers of both directions", "[gap]"
     // documented: 2 N and 1.5 N·s/m; in scales of one
     const auto v = of_half_differences(0.01, 0.04, 0);
     REQUIRE(v.size() == 4);
-    CHECK(v[0].name == "Coulomb level, positive direction");
+    CHECK(v[0].key == "Coulomb level, positive direction");
     CHECK(v[0].value == Approx(2.3));
     CHECK(v[1].value == Approx(1.7));
     CHECK(v[2].value == Approx(1.1));
@@ -98,6 +98,6 @@ TEST_CASE("of two masses the sheet tells the inertia that was changed", "[gap]")
         const auto v = sheet_values(p, a, {}, 0);
         REQUIRE(v.size() == 1);
         CHECK(v[0].value == Approx(1.5 * (form.name == "link" ? 3 : 0.5)));
-        CHECK(v[0].name == std::string(form.name) + " inertia");
+        CHECK(v[0].key == std::string(form.name) + " inertia");
     }
 }

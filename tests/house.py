@@ -4,10 +4,10 @@ and functions that are longer than a reader likes.
 
 Checks that arrows between floors go down only, that no folders include each other in a circle (a pair is the smallest
 circle), that the headers of heavy libraries stay behind ours, that a header which says "Internal to FOLDER" is included
-from there only, that programs outside see public headers only, that a file of more than 250 lines and a function of more
-than 60 say why, that thresholds of the diagnosis stand in its policy, that the diagnosis refuses with codes and not with
-sentences, that tests mirror the rooms, that no two types of one namespace have one name, and that comments name no file
-or document that is not there.
+from there only, that a folder includes only what another one lists as a door (house_doors.py), that programs outside
+see public headers only, that a file of more than 250 lines and a function of more than 60 say why, that thresholds of
+the diagnosis stand in its policy, that the diagnosis refuses with codes and not with sentences, that tests mirror the
+rooms, that no two types of one namespace have one name, and that comments name no file or document that is not there.
 """
 import re
 import sys
@@ -15,9 +15,10 @@ from collections import defaultdict
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import house_sizes  # beside this file
+import house_doors  # beside this file
+import house_sizes
 
-GIVEN = [given for given in sys.argv[1:] if given != "--sizes"]
+GIVEN = [given for given in sys.argv[1:] if not given.startswith("--")]
 SOURCE = Path(GIVEN[0] if GIVEN else Path(__file__).parent.parent)
 ROOMS = ("analysis", "render", "sweep")
 
@@ -282,6 +283,10 @@ def circles(arrows):
     return found
 
 
+def includes_of(path):
+    return INCLUDE.findall((SOURCE / path).read_text(encoding="utf-8"))
+
+
 def rooms_between(one, other):
     """The two folders of an include, and the two rooms around them where their ways part."""
     same = 0
@@ -297,6 +302,9 @@ def main():
     if "--sizes" in sys.argv:
         for count, what in sorted(house_sizes.sizes(SOURCE, files()), reverse=True):
             print(f"{count:4} {what}")
+        return 0
+    if "--doors" in sys.argv:
+        print(house_doors.text(house_doors.used_from_outside(list(files()), includes_of)))
         return 0
     wrong, arrows, because, counted = [], defaultdict(set), {}, defaultdict(int)
     for path in files():
@@ -321,6 +329,7 @@ def main():
         wrong.append("folders that include each other in a circle: " + ", ".join(members))
         wrong += [f"    {text}" for (a, b), text in sorted(because.items()) if a in members and b in members]
     wrong += internal_complaints()
+    wrong += house_doors.complaints(SOURCE, list(files()), includes_of)
     wrong += public_complaints()
     wrong += house_sizes.complaints(SOURCE, files())
     wrong += name_complaints()

@@ -113,14 +113,15 @@ constexpr Sentence sentences[] = {
     {Code::controller_and_rest,
      "the controller differs from the joint file, and a remainder exists that the catalogue does not explain"},
     {Code::controller_and_numbers,
-     "the controller differs from the joint file; with parameters corrected by a few per cent as well, the joint "
-     "predicts every record to within noise"},
+     "the controller differs from the joint file; with parameters corrected as well, the joint predicts held-out rows "
+     "to within noise"},
     {Code::numbers_to_noise,
-     "parameters of the joint file are off: {names}; with corrected values the joint predicts every record to within "
+     "parameters of the joint file are off: {names}; with corrected values the joint predicts held-out rows to within "
      "noise"},
     {Code::numbers_and_rest,
      "parameters of the joint file are off: {names}; no effect explains a large part of what their correction leaves"},
-    {Code::cause_to_noise, "with parameters corrected by a few per cent, {names} explains the records to within noise"},
+    {Code::cause_to_noise,
+     "with corrected parameters of the joint file, {names} predicts held-out rows to within noise"},
     {Code::cause_predicts_best,
      "no cause explains the gap to within noise; with inertia, friction and load corrected within their uncertainty in "
      "every comparison, {names} predicts held-out data best"},

@@ -21,6 +21,17 @@ void add_motor_forms(Effect& e)
         f.seeds = {{1.03}, {1.7}, {0.6}};
         f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor; };
         e.forms.push_back(f);
+        // a motor wound otherwise: what it pushes by and what resists it are one constant
+        f.name = "motor constant";
+        f.parameters = {
+            factor_on_number(0.2, 5, 0.2, "true torque constant, and back-EMF constant, per nominal"),
+        };
+        f.apply = [](Joint& j, const double* p) {
+            j.actuator.k_t *= p[0];
+            j.actuator.k_e *= p[0];
+        };
+        f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor && j.actuator.k_e > 0; };
+        e.forms.push_back(f);
         // a motor of another speed constant: it resists motion more or less than documented, as viscous friction that
         // its own current shows
         f.name = "back-emf";
@@ -30,7 +41,6 @@ void add_motor_forms(Effect& e)
         };
         f.apply = [](Joint& j, const double* p) { j.actuator.k_e *= p[0]; };
         f.seeds = {{1.1}, {0.9}};
-        f.applies = [](const Joint& j) { return j.actuator.kind == ActuatorKind::dc_motor && j.actuator.k_e > 0; };
         e.forms.push_back(f);
     }
 }

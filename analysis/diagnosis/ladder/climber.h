@@ -62,6 +62,11 @@ class Climber {
     /// that imitates them all.
     std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections) const;
 
+    /// The set with a scale of the effort as a further cause, where that brings the document's numbers so much nearer
+    /// to what it says: a torque constant that is off makes all of them wrong by one factor. With one of them as a
+    /// cause beside it, which is wrong by another factor, too. The set itself where neither does.
+    FittedSet with_shared_scale(FittedSet set, const Corrections& corrections);
+
     /// The set with those of its corrections as causes that stand at the bound of what a document is off: held back,
     /// they bend what is fitted with them.
     FittedSet freed(FittedSet set);

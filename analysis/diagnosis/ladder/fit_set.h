@@ -2,6 +2,8 @@
 #pragma once
 #include "analysis/diagnosis/ladder/ladder.h"
 
+#include <algorithm>
+
 namespace stickslip::gap {
 
 /// Adds a cause to a set and its numbers to theirs, in the order of the catalogue: edits that change the model of the
@@ -33,6 +35,10 @@ class SetFitter {
     {
     }
     const Joint& joint() const { return data_.cases()[0].joint; }
+    bool logs_effort() const
+    {
+        return std::ranges::any_of(data_.cases(), [](const Case& c) { return c.ticks.has_effort; });
+    }
     /// Whether this cause of a set is a small term of every machine, and no larger than they are.
     bool is_usual(const FittedSet& set, const Effect& cause) const
     {

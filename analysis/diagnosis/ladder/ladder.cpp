@@ -222,6 +222,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         ends.push_back(set.causes.effects);
     }
     if (!set.causes.effects.empty() && set.causes.effects.size() < most_rungs) set = climber_->freed(std::move(set));
+    if (set.causes.effects.size() < rules_.most_rungs) set = climber_->with_shared_scale(std::move(set), *corrections_);
     return with_wrong_numbers(std::move(set), most_rungs);
 }
 

@@ -3,48 +3,110 @@
 #include "analysis/diagnosis/ladder/climber.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t several = 2;  // one is a cause like any other, and is tried as one
 
-struct Freed {
-    Candidate causes;
+/// A number of the document that a correction changes, as the effect of the catalogue that changes it.
+struct Number {
+    const Effect* effect;
     Eigen::VectorXd x;
-    std::size_t at_bound = 0;  ///< how many of them their prior held back
+    bool at_bound;      ///< held back by its prior
+    double deviations;  ///< standard deviations from the document
+    double logarithm;   ///< of the number over the documented one
 };
 
-/// Every number of the document that corrections change, as the effect of the catalogue that changes it.
-Freed freed_numbers(const FittedSet& below, const Corrections& corrections)
+/// The prior of a number as a part of it; 0 of a load, which is no part of anything.
+double part_of(std::string_view number, const CorrectionPrior& prior)
 {
-    const Candidate& all = below.model.candidate;
-    Freed freed{below.causes, below.of_causes(below.fit.x)};
-    freed.causes.records = all.records;
+    if (number == "inertia") return prior.inertia;
+    if (number == "coulomb-level") return prior.coulomb;
+    if (number == "viscous") return prior.viscous;
+    return number == "gravity" ? prior.gravity : 0;
+}
+
+std::vector<Number> numbers_of(const FittedSet& set, const Corrections& corrections, const CorrectionPrior& prior)
+{
+    std::vector<Number> numbers;
+    const Candidate& all = set.model.candidate;
     std::size_t at = 0;
-    for (std::size_t i = 0; i < below.model.corrections; at += all.count_of(*all.forms[i++])) {
+    for (std::size_t i = 0; i < set.model.corrections; at += all.count_of(*all.forms[i++])) {
         const Effect* effect = effect_named(all.effects[i]->name);
         if (!effect || !corrections.same_number(*effect, effect->forms[0])) continue;
         const auto count = static_cast<Eigen::Index>(all.count_of(*all.forms[i]));
         const Candidate alone{{effect}, {&effect->forms[0]}, all.records};
         if (static_cast<Eigen::Index>(alone.parameter_count()) != count) continue;
-        freed.x = insert(freed.causes, effect, &effect->forms[0], freed.x,
-                         below.fit.x.segment(static_cast<Eigen::Index>(at), count));
-        freed.at_bound += Corrections::at_its_bound(all, i, at, below.fit.x) ? 1 : 0;
+        const double x = set.fit.x[static_cast<Eigen::Index>(at)],
+                     part = x / all.sd_of(at) * part_of(effect->name, prior);
+        numbers.push_back({effect, set.fit.x.segment(static_cast<Eigen::Index>(at), count),
+                           Corrections::at_its_bound(all, i, at, set.fit.x),
+                           Corrections::deviations(all, i, at, set.fit.x),
+                           all.parameter(at).logarithmic ? x : std::log(std::max(0.1, 1 + part))});
     }
-    return freed;
+    return numbers;
+}
+
+/// The scale of the effort that brings all numbers but one nearest to the document.
+double shared_scale(const std::vector<Number>& numbers, const Number* but, const CorrectionPrior& prior)
+{
+    double sum = 0, weights = 0;
+    for (const auto& number : numbers)
+        if (const double part = part_of(number.effect->name, prior); part > 0 && &number != but)
+            sum += number.logarithm / (part * part), weights += 1 / (part * part);
+    return weights > 0 ? std::exp(-sum / weights) : 1;
 }
 
 }  // namespace
 
 std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Corrections& corrections) const
 {
-    const Freed freed = freed_numbers(below, corrections);
+    const auto numbers = numbers_of(below, corrections, rules_.prior);
+    if (std::ranges::count_if(numbers, &Number::at_bound) < several) return std::nullopt;
+    Candidate freed = below.causes;
+    freed.records = below.model.candidate.records;
+    Eigen::VectorXd x = below.of_causes(below.fit.x);
+    for (const auto& number : numbers) x = insert(freed, number.effect, &number.effect->forms[0], x, number.x);
     const std::size_t least = below.causes.effects.size() + several;
-    if (freed.at_bound < several) return std::nullopt;
-    FittedSet set = fitter_.fit(freed.causes, fitter_.start(freed.causes, below, freed.x));
+    FittedSet set = fitter_.fit(freed, fitter_.start(freed, below, x));
     while (set.correction && set.causes.effects.size() >= least) set = without(set, *set.correction);
     if (set.correction || !set.plausible || set.causes.effects.size() < least) return std::nullopt;
+    return set;
+}
+
+FittedSet Climber::with_shared_scale(FittedSet set, const Corrections& corrections)
+{
+    const Effect* scale = effect_named("effort-gain");
+    if (std::ranges::count(set.causes.effects, scale) > 0 || set.deviations() < rules_.relieved) return set;
+    const auto numbers = numbers_of(set, corrections, rules_.prior);
+    std::vector<Start> starts;
+    const auto add = [&](const Candidate& causes, const Eigen::VectorXd& of_causes, const Number* freed) {
+        for (const auto& form : scale->forms) {
+            const Candidate alone{{scale}, {&form}, causes.records};
+            if (!alone.applies(fitter_.joint()) || (form.effort_alone && !fitter_.logs_effort())) continue;
+            Start start{causes};
+            const double shared = shared_scale(numbers, freed, rules_.prior);
+            const auto x = insert(start.causes, scale, &form, of_causes, to_fit(alone, {shared}));
+            start.x0 = fitter_.start(start.causes, set, x);
+            starts.push_back(std::move(start));
+        }
+    };
+    Candidate causes = set.causes;
+    causes.records = set.model.candidate.records;
+    add(causes, set.of_causes(set.fit.x), nullptr);
+    // a number that is wrong by another factor as well may have come nearer to the document
+    for (const auto& number : numbers)
+        if (number.deviations >= rules_.far_off && causes.effects.size() + several <= rules_.most_rungs) {
+            Candidate freed = causes;
+            const auto x = insert(freed, number.effect, &number.effect->forms[0], set.of_causes(set.fit.x), number.x);
+            add(freed, x, &number);
+        }
+    for (auto& scaled : judged(starts))
+        if (scaled.plausible && !scaled.correction && scaled.misfit < set.misfit &&
+            set.deviations() - scaled.deviations() >= rules_.relieved)
+            return compared({scaled});  // along the scale only priors slope, and a first search ends on the way
     return set;
 }
 

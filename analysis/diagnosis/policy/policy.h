@@ -62,6 +62,7 @@ inline constexpr LadderRules ladder{
     .rows_of_margin = 60,    // four readings of 15 rows each, see rows_per_reading
     .ranges = physical_ranges,
     .far_off = 2,            // standard deviations; one document in twenty is so far off in a given parameter
+    .relieved = 8,           // of squared standard deviations: of two numbers that are `far_off`
     .beyond_the_others = 5,  // errors of one document are alike (three inertias beside causes); 5 itself is chosen
     .worth_telling = 0.1,    // of the squares; below, it is the scatter of blocks, not a dependence
 };

@@ -46,6 +46,7 @@ struct LadderRules {
     double rows_of_margin;              ///< the same where all is noise, times rows
     std::span<const PhysicalRange> ranges;
     double far_off;            ///< standard deviations from which on a document's number may be a cause beside others
+    double relieved;           ///< squared standard deviations that a common scale takes from a document's numbers
     double beyond_the_others;  ///< multiple of what the document's other numbers are off, for the same
     double worth_telling;      ///< share of the squares from which on a dependence is reported
 };

@@ -58,6 +58,22 @@ TEST_CASE("a torque constant that a log of the current shares is named, not ever
     CHECK(value_of(d.effects[0], "effort-gain.factor") == Approx(1.1).epsilon(0.005));
 }
 
+TEST_CASE("a torque constant that a log of the current shares is found beside another wrong number", "[gap][slow]")
+{
+    // corrections of every number by a seventh say the same, and would bend the inertia by it
+    Machine m;
+    m.gain = 0.86, m.inertia *= 0.77, m.effort_noise = 0.01;
+    auto records = two_records(m);
+    for (auto& record : records)
+        for (double& effort : record.effort_measured) effort /= m.gain;
+    const auto d = test::answer(test::nominal_joint(), records, in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto& named = d.effects[0];
+    REQUIRE(std::ranges::is_permutation(named.names, std::vector<std::string>{"inertia", "effort-gain"}));
+    CHECK(value_of(named, "effort-gain.factor") == Approx(0.86).epsilon(0.01));
+    CHECK(value_of(named, "inertia.factor") == Approx(0.77).epsilon(0.01));
+}
+
 TEST_CASE("gravity that is documented with the wrong sign is named", "[gap][slow]")
 {
     Machine m;

@@ -56,12 +56,12 @@ enum class Role {
 
 /// What is known of one numeric leaf. `help` is half a sentence; the unit follows from quantity and motion.
 struct Field {
-    std::string_view key;                  ///< as files write it, the last part of its path
-    Quantity quantity = Quantity::number;  ///< from which its unit follows
-    Range range = any_finite;              ///< allowed values, in SI
-    Need need = Need::optional;            ///< a required number has no default
-    std::string_view help;                 ///< half a sentence, without the unit
-    Role role = Role::plain;
+    std::string_view key;                     ///< as files write it, the last part of its path
+    Quantity quantity = Quantity::number;     ///< from which its unit follows
+    Range range = any_finite;                 ///< allowed values, in SI
+    Need need = Need::optional;               ///< a required number has no default
+    std::string_view help;                    ///< half a sentence, without the unit
+    Role role = Role::plain;                  ///< what maps and fits take it for
     std::string_view symbol = {}, name = {};  ///< on charts and pages; empty: the key stands for itself
 
     /// "k_{p}", "position gain". A # stands for the table of the number: signs.h.
@@ -76,9 +76,9 @@ struct Field {
 /// A short list of numbers inside a parameter struct (the states of a law); plain data, no allocation.
 template <class T, int capacity>
 struct ShortList {
-    static constexpr int max_size = capacity;
-    std::array<T, capacity> values{};  ///< the first `size` of them count
-    int size = 0;
+    static constexpr int max_size = capacity;  ///< room for so many
+    std::array<T, capacity> values{};          ///< the first `size` of them count
+    int size = 0;                              ///< how many count
 
     T& operator[](int i) { return values[static_cast<std::size_t>(i)]; }
     const T& operator[](int i) const { return values[static_cast<std::size_t>(i)]; }
@@ -96,7 +96,7 @@ using NumberList = ShortList<double, max_states>;
 template <class Enum>
 struct Choice {
     std::string_view name;  ///< as files write it
-    Enum value;
+    Enum value;             ///< what the name stands for
 };
 
 }  // namespace stickslip

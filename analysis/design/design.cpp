@@ -204,7 +204,7 @@ GainRange gain_range(const Joint& joint, const Requirements& r)
     const auto steady = steady_sliding(joint);
     double damping = std::abs(joint.control.k_v), inertia = 0;
     if (steady.reason == Reason::none) {
-        const auto linear = linear_joint(joint, steady.velocity);
+        const auto linear = linear_joint(joint, steady.slides_at);
         for (int i = 0; i < linear.bodies; ++i) {
             damping += std::abs(linear.friction[i].f_v) + std::abs(kernel_integral(linear.friction[i]));
             inertia += linear.inertia[i];

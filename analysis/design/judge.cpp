@@ -34,8 +34,9 @@ Judge::Judge(const Joint& joint, const Requirements& requirements, Curve::Kind t
     steady_effort_ = std::abs(steady.friction) + std::abs(joint.load.constant) +
                      std::abs(joint.load.gravity_amplitude) + warming(joint);
     if (loop_kind(joint) != LoopKind::ideal)
-        effort_gain_ = std::abs(actuation(joint, velocity_, stickslip::steady_effort(joint, velocity_)).gain);
-    const bool counts = theory != Curve::Kind::velocity_only && !linear_joint(joint, velocity_).rational();
+        effort_gain_ =
+            std::abs(actuation(joint, steady.slides_at, stickslip::steady_effort(joint, steady.slides_at)).gain);
+    const bool counts = theory != Curve::Kind::velocity_only && !linear_joint(joint, steady.slides_at).rational();
     cost_ = counts                                ? VerdictCost::counts
             : loop_kind(joint) != LoopKind::ideal ? VerdictCost::eigenvalues
                                                   : VerdictCost::small;
@@ -201,7 +202,7 @@ GainChoice Judge::judged(double k_p, double k_v, double margin, bool thoroughly)
     const bool asked = thoroughly || requirements_.objective == DesignObjective::motion;
     const bool memory = theory_ != Curve::Kind::velocity_only;
     if (loop_kind(joint) == LoopKind::ideal) {
-        auto linear = linear_joint(joint, velocity_);
+        auto linear = linear_joint(joint, sliding_velocity(joint));
         if (!memory) linear = velocity_only(linear);
         choice.effort_noise = effort_noise(linear, requirements_.noise);
         if (asked && choice.margin > 0) choice.motion_noise = motion_noise(linear, requirements_.noise);

@@ -81,7 +81,7 @@ struct FrictionDrift {
 /// what the load resists): `forward` where the drive moves the load, `backward` where the load moves the drive. Their
 /// efficiencies are 1/(1 + forward) and 1 − backward.
 struct GearLoss {
-    double forward = 0, backward = 0, beyond = 1;
+    double forward = 0, backward = 0, beyond = 1;  ///< plain numbers, as their keys say below
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -166,15 +166,15 @@ struct Memory {
 
 /// The friction on one body.
 struct Friction {
-    FrictionLaw law;  ///< f(V, θ) before all that follows
-    Asymmetry asymmetry;
+    FrictionLaw law;              ///< f(V, θ) before all that follows
+    Asymmetry asymmetry;          ///< dependence on direction
     double normal_load = 1;       ///< σ_n of (1) per the one at which the numbers of the law hold: multiplies all of f
     double load_coefficient = 0;  ///< f += load_coefficient · |transmitted effort| · sgn V
     GearLoss gear;                ///< of a joint that is one mass, see OneMassFriction
     PositionRipple ripple;        ///< multiplies sgn V: flips with direction, unlike cogging
-    FrictionDrift drift;
-    Bristle bristle;
-    Memory memory;
+    FrictionDrift drift;          ///< warm-up of the Coulomb level, in time
+    Bristle bristle;              ///< presliding stiffness under the law
+    Memory memory;                ///< rate-and-state memory on top of the law
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)

@@ -16,8 +16,8 @@ namespace stickslip {
 
 /// One friction a body, for the models with several.
 struct BodyFrictions {
-    Friction motor, transmission, link;
-    bool has_transmission = false;  ///< set by the model: only three-mass and lever have a middle body
+    Friction motor, transmission, link;  ///< each at its own body's velocity
+    bool has_transmission = false;       ///< set by the model: only three-mass and lever have a middle body
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -29,15 +29,15 @@ struct BodyFrictions {
 };
 
 struct Joint {
-    Mechanism mechanism;
-    Load load;
-    Control control;
-    OneMassFriction friction;  ///< single-mass
-    BodyFrictions frictions;   ///< the other models
-    Actuator actuator;
-    Sensor sensor;
-    NormalLoad normal;
-    ShortList<Neighbour, max_neighbours> neighbour;
+    Mechanism mechanism;                             ///< bodies and what connects them
+    Load load;                                       ///< what acts on the link
+    Control control;                                 ///< the loop
+    OneMassFriction friction;                        ///< single-mass
+    BodyFrictions frictions;                         ///< the other models
+    Actuator actuator;                               ///< from the command to the effort
+    Sensor sensor;                                   ///< what the encoder adds
+    NormalLoad normal;                               ///< a normal force that moves with the joint
+    ShortList<Neighbour, max_neighbours> neighbour;  ///< joints that the mass matrix couples to this one
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)

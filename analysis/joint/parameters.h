@@ -34,9 +34,9 @@ Quantity quantity_of(const Joint& joint, std::string_view path);
 /// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
 /// the reader of files fills `table`. check() complains about a named table that was not filled.
 struct TableSlot {
-    std::string path;  ///< of the key that names the file
-    const std::string* name = nullptr;
-    KernelTablePtr* table = nullptr;
+    std::string path;                   ///< of the key that names the file
+    const std::string* name = nullptr;  ///< of the file, as the joint has it
+    KernelTablePtr* table = nullptr;    ///< where what the file holds goes
 };
 std::vector<TableSlot> tables(Joint& joint);
 
@@ -45,8 +45,8 @@ std::vector<std::string> nearest_names(std::string_view given, const std::vector
 
 /// What is wrong with a value: where, and in words what was given and what is allowed.
 struct Problem {
-    std::string path;  ///< of the key
-    std::string message;
+    std::string path;     ///< of the key
+    std::string message;  ///< what is wrong and what is expected, without the path
 };
 
 /// Everything that forbids using this joint: missing numbers, values outside their range, lists of unequal length.

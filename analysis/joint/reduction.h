@@ -12,13 +12,14 @@ namespace stickslip {
 /// The friction of a body that has become part of another one, where both together have no single law. It acts beside
 /// that body's own: f += turns · friction(turns · V), turns being its displacement per that of the body.
 struct JoinedFriction {
-    Friction friction;  ///< as on the body that it was on
-    double turns = 1;
+    Friction friction;    ///< as on the body that it was on
+    double turns = 1;     ///< of its body per turn of the one it is on now
     bool on_link = true;  ///< otherwise on the motor
 };
 
 /// A smaller joint that stands for a larger one.
 struct Reduction {
+    /// A body of its own, one with the link, or a source of effort without inertia and friction.
     enum class Motor { stays, joins_link, ideal };
 
     Joint joint;                         ///< the smaller one

@@ -1,5 +1,6 @@
 #include "analysis/loop/loop_use.h"
 
+#include "analysis/joint/loop_side.h"
 #include "analysis/joint/steady_output.h"
 #include "analysis/loop/felt.h"
 
@@ -15,6 +16,12 @@ bool feeds_back(const Joint& joint)
     return joint.control.kind == ControlKind::position || joint.control.force_gain != 0;
 }
 
+/// A force loop feeds back the force, whatever the encoder reads per displacement.
+bool reads_scaled(const Joint& joint)
+{
+    return joint.sensor.position_scale != 1 && joint.control.kind == ControlKind::position;
+}
+
 }  // namespace
 
 LoopKind loop_kind(const Joint& joint)
@@ -25,7 +32,7 @@ LoopKind loop_kind(const Joint& joint)
     if (is_set(c.period)) return LoopKind::sampled;
     const bool delayed = joint.dead_time() > 0 || a.lag > 0 || c.velocity_estimate.tau > 0;
     const bool pushes = is_set(c.V0) && push_slope(c.feed_forward, c.V0) != 0;
-    const bool other = pushes || gains_of(c).k_i != 0 || a.effort_gain != 1 || joint.sensor.position_scale != 1 ||
+    const bool other = pushes || gains_of(c).k_i != 0 || a.effort_gain != 1 || reads_scaled(joint) ||
                        a.sag_effort < infinity || a.kind == ActuatorKind::dc_motor;
     return delayed || other ? LoopKind::continuous : LoopKind::ideal;
 }
@@ -45,9 +52,9 @@ struct Collector {
         else
             leave(true, key, WhyNot::no_feedback, false);
     }
-    void leave(bool present, std::string key, WhyNot why, bool matters)
+    void leave(bool present, std::string_view key, WhyNot why, bool matters)
     {
-        if (present) use.not_used.push_back({std::move(key), why, matters});
+        if (present) use.not_used.push_back({std::string(key), why, matters});
     }
 };
 
@@ -105,7 +112,8 @@ void take_drive(Collector& c, const Joint& joint)
     c.take(!motor && a.sag_effort < infinity, "actuator.sag_effort");
     c.leave(a.limit < infinity, "actuator.limit", WhyNot::small_signal, false);
     const auto& s = joint.sensor;
-    c.take(s.position_scale != 1, "sensor.position_scale");
+    c.take(reads_scaled(joint), "sensor.position_scale");
+    c.leave(s.position_scale != 1 && !reads_scaled(joint), "sensor.position_scale", WhyNot::no_feedback, false);
     c.leave(s.encoder_quantum > 0, "sensor.encoder_quantum", WhyNot::rounding, false);
     c.leave(s.position_noise > 0, "sensor.position_noise", WhyNot::rounding, false);
     c.leave(s.position_offset != 0, "sensor.position_offset", WhyNot::reference_only, false);
@@ -145,10 +153,17 @@ void leave_surroundings(Collector& c, const Joint& joint)
 
 }  // namespace
 
+GearSide gear_side(const Joint& joint)
+{
+    const double N = reading_per_joint(joint);
+    return {N, joint.actuator.kind == ActuatorKind::dc_motor ? N : N * N};
+}
+
 LoopUse loop_use(const Joint& joint)
 {
     Collector c{{}, feeds_back(joint)};
     c.use.kind = loop_kind(joint);
+    c.use.gear = gear_side(joint);
     take_controller(c, joint);
     take_drive(c, joint);
     leave_surroundings(c, joint);

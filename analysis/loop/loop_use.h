@@ -46,10 +46,21 @@ struct UnusedTerm {
     bool matters = false;  ///< a verdict without it may be wrong for motions of ordinary size
 };
 
+/// A gear between the motor, whose encoder the loop reads, and the joint. Verdicts count displacement, gains and
+/// efforts at the joint's side, records at the motor's.
+struct GearSide {
+    double ratio = 1;  ///< turns of the motor per turn of the joint; 1: none lies between
+    double gain = 1;   ///< k_p at the joint's side per k_p of a record: ratio², or ratio of a signal in volts or duty
+
+    bool between() const { return ratio != 1; }
+};
+GearSide gear_side(const Joint& joint);
+
 struct LoopUse {
     LoopKind kind = LoopKind::ideal;
     std::vector<std::string> used;  ///< paths beyond those of the ideal loop
     std::vector<UnusedTerm> not_used;
+    GearSide gear;  ///< of verdicts and records
 };
 
 /// The kind alone, without allocation.

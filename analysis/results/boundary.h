@@ -45,7 +45,7 @@ struct BoundaryPoint {
     double value = 0, low = 0, high = 0;  ///< of the parameter, and its bracket, in SI
     int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable; 0: not known
     bool converged = false;  ///< false: the bracket is wider than requested
-    int evaluations = 0;
+    int evaluations = 0;     ///< verdicts that it took
     LocationMethod method = LocationMethod::interpolation;  ///< how the bracket was narrowed
 
     double precision() const { return value != 0 ? (high - low) / (value < 0 ? -value : value) : high - low; }
@@ -83,25 +83,34 @@ struct CurveGuard {
     int climbed = 0;      ///< nodes from which the nearest extremum was searched for islands between nodes
     int islands = 0;      ///< found that way
     double cell = 0;      ///< side of a cell as a share of an axis: closed pieces smaller than that can be missed
-    int evaluations = 0;
+    int evaluations = 0;  ///< verdicts that it took
+};
+
+/// Neighbouring points of a scan, from the first to the last of them [SI].
+struct ScanStretch {
+    double low = 0, high = 0;
 };
 
 /// What lies beyond the ends of a range that holds no boundary.
 struct OutsideOfRay {
-    double low = 0, high = 0;              ///< the range that was looked at
-    std::optional<BoundaryPoint> nearest;  ///< by the ratio to the end that it lies beyond; none in the range
+    double low = 0, high = 0;                  ///< the range that was looked at, that of the ray within it [SI]
+    int nodes = 0;                             ///< points of the scans beyond the ends
+    int undecided = 0;                         ///< of them without a verdict
+    std::vector<ScanStretch> without_verdict;  ///< from the first to the last of neighbours without one, rising [SI]
+    std::optional<BoundaryPoint> nearest;      ///< by the ratio to the end that it lies beyond; none was found
 };
 
 /// Every boundary of one kind along an axis.
 struct LocatedRay {
-    BoundaryKind kind = BoundaryKind::state_variable;
-    Axis axis;                          ///< values: only the ends
-    std::vector<BoundaryPoint> points;  ///< rising; empty: there is no boundary
-    int nodes = 0;                      ///< of the scan
-    int undecided = 0;                  ///< of them without a verdict
-    Reason reason = Reason::none;       ///< why the first of these, or a value within a bracket, has none
-    int climbed = 0;                    ///< extrema between nodes that were searched for a pair of boundaries
-    int evaluations = 0;
+    BoundaryKind kind = BoundaryKind::state_variable;  ///< of all its points
+    Axis axis;                                         ///< values: only the ends
+    std::vector<BoundaryPoint> points;                 ///< rising; empty: there is no boundary
+    int nodes = 0;                                     ///< of the scan
+    int undecided = 0;                                 ///< of them without a verdict
+    std::vector<ScanStretch> without_verdict;  ///< from the first to the last of neighbours without one, rising [SI]
+    Reason reason = Reason::none;              ///< why the first of these, or a value within a bracket, has none
+    int climbed = 0;                           ///< extrema between nodes that were searched for a pair of boundaries
+    int evaluations = 0;                       ///< verdicts that all of it took
     double stable_share = 0;   ///< of the scanned nodes: without a boundary, 1 if all are stable, 0 if none
     double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
     /// Folds found by simulation alone: as a share of the range, the widest strip of cycles beside a linear boundary
@@ -112,12 +121,12 @@ struct LocatedRay {
 
 /// A boundary followed over a chart.
 struct FollowedBoundary {
-    BoundaryKind kind = BoundaryKind::state_variable;
-    Axis x, y;                       ///< values: only the ends
-    std::vector<CurvePiece> pieces;  ///< connected ones; empty: no boundary was met
-    CurveGuard guard;                ///< what says that no piece was missed
-    bool by_sides = false;           ///< folds found by simulation
-    int evaluations = 0;             ///< all, guard included
+    BoundaryKind kind = BoundaryKind::state_variable;  ///< of all its pieces
+    Axis x, y;                                         ///< values: only the ends
+    std::vector<CurvePiece> pieces;                    ///< connected ones; empty: no boundary was met
+    CurveGuard guard;                                  ///< what says that no piece was missed
+    bool by_sides = false;                             ///< folds found by simulation
+    int evaluations = 0;                               ///< all, guard included
 
     int points() const;
     double precision() const;  ///< the coarsest of its points
@@ -151,7 +160,7 @@ struct NearestBoundary {
     double distance = missing;
     std::vector<NearestMove> moves;  ///< of all coordinates at once, onto the boundary
     std::vector<double> direction;   ///< unit vector in the same coordinates
-    int evaluations = 0;
+    int evaluations = 0;             ///< verdicts that it took
 };
 
 }  // namespace stickslip

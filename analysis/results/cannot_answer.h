@@ -52,10 +52,10 @@ class CannotAnswer : public std::invalid_argument {
     {
     }
 
-    Why why;
-    std::string about;  ///< the record, the table or its row; empty: the joint
-    std::string name;
-    std::vector<double> values;
+    Why why;                     ///< what is missing or of another kind
+    std::string about;           ///< the record, the table or its row; empty: the joint
+    std::string name;            ///< what `why` says: a path or a column; empty where it names none
+    std::vector<double> values;  ///< what `why` says: rows from 1, lengths, times [s], periods
 
     /// "force-loop": what what() holds for a program, after `about`.
     static std::string_view name_of(Why why);

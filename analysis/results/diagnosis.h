@@ -37,18 +37,18 @@ struct ConfidenceInterval {
 
 /// A part of the whole: where along the chain, or in which regime, the gap lies.
 struct Share {
-    std::string name;  ///< of a signal or a regime
-    double share = 0;  ///< within [0, 1]
-    ConfidenceInterval interval;
-    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the prediction floor
-    std::string unit;           ///< of rms and floor
+    std::string name;             ///< of a signal or a regime
+    double share = 0;             ///< within [0, 1]
+    ConfidenceInterval interval;  ///< of the share, 95 %
+    double rms = 0, floor = 0;    ///< in `unit`; regimes: in multiples of the prediction floor
+    std::string unit;             ///< of rms and floor
 };
 
 struct FittedParameter {
-    std::string name;  ///< "stribeck.c2"
-    double value = 0;
+    std::string name;                 ///< "stribeck.c2"
+    double value = 0;                 ///< in `unit`
     double standard_error = missing;  ///< in `unit`
-    std::string unit;
+    std::string unit;                 ///< "N·m", empty for a plain number
 };
 
 /// Whether the parameter is one of the effect of this name: the part before its first dot.
@@ -59,11 +59,11 @@ inline bool is_of(const FittedParameter& parameter, std::string_view effect)
 
 /// A number of the joint with a cause in it, as a data sheet has it: the level of one direction, not half a difference.
 struct SheetValue {
-    std::string key;  ///< what files call it: "Coulomb level, positive direction"
-    double value = 0;
+    std::string key;              ///< what files call it: "Coulomb level, positive direction"
+    double value = 0;             ///< in `unit`
     ConfidenceInterval interval;  ///< 95 %
-    std::string unit;
-    bool pinned = false;  ///< the interval is narrower than the number is large: the records say what it is
+    std::string unit;             ///< "N·m", empty for a plain number
+    bool pinned = false;          ///< the interval is narrower than the number is large: the records say what it is
 };
 
 /// One cause, or a few that act together, with its rank by position.
@@ -86,12 +86,12 @@ struct Cause {
 
 /// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.
 struct LadderRung {
-    std::vector<std::string> names;  ///< one, or the audit's findings together
-    double share = 0;                ///< of the gap's held-out squares beyond the noise
-    ConfidenceInterval interval;     ///< bootstrap over the held-out windows
-    std::vector<FittedParameter> parameters;
-    std::vector<std::vector<std::string>> ambiguous_with;
-    double probability = 0;
+    std::vector<std::string> names;                        ///< one, or the audit's findings together
+    double share = 0;                                      ///< of the gap's held-out squares beyond the noise
+    ConfidenceInterval interval;                           ///< bootstrap over the held-out windows
+    std::vector<FittedParameter> parameters;               ///< of its effects
+    std::vector<std::vector<std::string>> ambiguous_with;  ///< causes that explain as much in its place
+    double probability = 0;                                ///< that it is a cause, within [0, 1]
 };
 
 /// A number of the document that was refitted beside the causes: no cause, but worth correcting.
@@ -103,20 +103,20 @@ struct Correction {
 
 /// What any model of the joint's own signals could explain of the gap on unseen data.
 struct ExplainableShare {
-    double share = 0;
-    ConfidenceInterval interval;
+    double share = 0;                     ///< of the gap's squares beyond the noise, within [0, 1]
+    ConfidenceInterval interval;          ///< of the share, 95 %
     std::vector<std::string> depends_on;  ///< signals on which what the corrected joint lacks depends, strongest first
 };
 
 /// What the ladder leaves, and the signals that it still depends on, strongest first.
 struct Remainder {
-    double share = 0;
+    double share = 0;                    ///< of the gap's squares beyond the noise, within [0, 1]
     std::vector<std::string> structure;  ///< names of these signals
 };
 
 /// RMS difference between measured and simulated signals over held-out records.
 struct SignalGap {
-    std::string signal, unit;
+    std::string signal, unit;  ///< its column, and what its numbers are in
     double before = 0, after = 0, floor = 0,
            explained = 0;  ///< in `unit`; explained: share of squares beyond the floor
 };
@@ -141,9 +141,9 @@ struct OverallGap {
 /// The force that drives the joint, low-passed, against what the model requires along the measured motion: RMS over
 /// held-out data with the nuisance parameters refitted, without and with the first cause. corner 0: not judged.
 struct DriveForceGap {
-    std::string unit;
-    double corner = 0;  ///< Hz
-    double before = 0, after = 0;
+    std::string unit;              ///< of before and after
+    double corner = 0;             ///< of the low pass [Hz]
+    double before = 0, after = 0;  ///< RMS, in `unit`
 };
 
 /// The motion along which two causes differ most.
@@ -172,7 +172,7 @@ struct RecordRole {
 
 /// A part of a long record that fits used.
 struct FittedStretch {
-    std::string file;
+    std::string file;         ///< of the record
     double from = 0, to = 0;  ///< s
 };
 
@@ -184,39 +184,39 @@ struct FittedRows {
 
 /// Traces of one record for the page: measured, and simulated before and after.
 struct DiagnosedTrace {
-    std::string file;
+    std::string file;                                   ///< of the record
     std::vector<double> time, measured, before, after;  ///< s; the others in the unit of what was measured
-    std::vector<double> effort_measured, effort_before, effort_after;
+    std::vector<double> effort_measured, effort_before, effort_after;  ///< in `effort_unit`
     enum class Effort { measured, command, friction_of_rig };
     Effort effort = Effort::command;  ///< what the efforts are
     bool predicted = false;           ///< along the measured motion by a slow observer: no loop could be simulated
-    std::string effort_unit;
+    std::string effort_unit;          ///< of the three efforts
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
 struct Diagnosis {
-    Verdict verdict = Verdict::insufficient_data;  ///< whether there is a gap, and whether it is explained
-    std::vector<Note> reasons;                     ///< of the verdict
-    bool interrupted = false;                      ///< on request: what was found until then stands here
-    std::vector<RecordRole> records;
-    FittedRows rows;                      ///< of long records
-    std::vector<Share> signals, regimes;  ///< where along the chain and in which motion the gap lies
-    std::vector<Cause> effects;           ///< most probable first
-    std::vector<std::vector<std::string>> ambiguous_with;
-    std::optional<CauseSet> set;  ///< where a guarantee was requested
-    NextExperiment next_experiment;
-    std::vector<SignalGap> gap;
-    OverallGap overall;
-    DriveForceGap drive_force;
-    std::vector<LadderRung> ladder;       ///< causes that act together, each given those above it
-    std::vector<Correction> corrections;  ///< of documented numbers
-    double corrected_share = 0;           ///< of the gap, that the corrections take
-    ExplainableShare ceiling;
-    Remainder remainder;                 ///< what the best cause leaves of the gap
-    std::vector<Note> notes;             ///< what else a user should know
-    std::vector<DiagnosedTrace> traces;  ///< one a record
-    Motion motion = Motion::prismatic;
-    double usual_speed = 0;  ///< 95th percentile of |velocity| in the records
+    Verdict verdict = Verdict::insufficient_data;          ///< whether there is a gap, and whether it is explained
+    std::vector<Note> reasons;                             ///< of the verdict
+    bool interrupted = false;                              ///< on request: what was found until then stands here
+    std::vector<RecordRole> records;                       ///< fitted and held out
+    FittedRows rows;                                       ///< of long records
+    std::vector<Share> signals, regimes;                   ///< where along the chain and in which motion the gap lies
+    std::vector<Cause> effects;                            ///< most probable first
+    std::vector<std::vector<std::string>> ambiguous_with;  ///< causes that explain as much as the first
+    std::optional<CauseSet> set;                           ///< where a guarantee was requested
+    NextExperiment next_experiment;                        ///< what would distinguish the causes that are left
+    std::vector<SignalGap> gap;                            ///< by signal
+    OverallGap overall;                                    ///< over all signals
+    DriveForceGap drive_force;                             ///< beside the signals
+    std::vector<LadderRung> ladder;                        ///< causes that act together, each given those above it
+    std::vector<Correction> corrections;                   ///< of documented numbers
+    double corrected_share = 0;                            ///< of the gap, that the corrections take
+    ExplainableShare ceiling;                              ///< what no model of these signals can exceed
+    Remainder remainder;                                   ///< what the best cause leaves of the gap
+    std::vector<Note> notes;                               ///< what else a user should know
+    std::vector<DiagnosedTrace> traces;                    ///< one a record
+    Motion motion = Motion::prismatic;                     ///< of the joint: m and N, or rad and N·m
+    double usual_speed = 0;                                ///< 95th percentile of |velocity| in the records
 };
 
 /// That none of the listed causes is it: with their probabilities it makes one. NaN where none is listed.

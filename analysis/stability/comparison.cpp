@@ -93,12 +93,10 @@ std::optional<std::vector<Interval>> stable_velocity_gains(const Joint& joint, T
 {
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return std::vector<Interval>{};
-    const bool ideal = loop_kind(joint) == LoopKind::ideal;
-    const double velocity = ideal ? steady.velocity : sliding_velocity(joint, steady.velocity);
-    auto linear = linear_joint(joint, velocity);
+    auto linear = linear_joint(joint, steady.slides_at);
     if (theory == Theory::velocity_only) linear = velocity_only(std::move(linear));
-    if (ideal) return ideal_velocity_gains(linear);
-    const auto loop = real_loop(joint, linear, velocity, TurnedGain::k_v);
+    if (loop_kind(joint) == LoopKind::ideal) return ideal_velocity_gains(linear);
+    const auto loop = real_loop(joint, linear, steady.slides_at, TurnedGain::k_v);
     if (!loop) return std::nullopt;
     return turned_gains(*loop).stable;
 }
@@ -140,7 +138,7 @@ GainMix optimal_mix(const Joint& given, double velocity_noise)
     const auto steady = steady_sliding(given);
     if (steady.reason != Reason::none) return best;
     Joint joint = given;
-    const auto linear = linear_joint(joint, steady.velocity);
+    const auto linear = linear_joint(joint, steady.slides_at);
     const auto mix = [&](double k_v) {
         joint.control.k_v = k_v;
         const double k_p = least_position_gain(joint);

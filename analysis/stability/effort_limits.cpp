@@ -38,7 +38,7 @@ bool integral_at_limit(const Joint& joint)
 {
     const auto& c = joint.control;
     if (c.integral_limit == infinity || c.kind == ControlKind::force) return false;
-    const double velocity = sliding_velocity(joint, commanded_velocity(joint));
+    const double velocity = sliding_velocity(joint);
     const double rate = joint.sensor.position_scale * velocity;
     return steady_output(c, command_for(joint.actuator, steady_effort(joint, velocity), velocity), rate, rate).at_limit;
 }

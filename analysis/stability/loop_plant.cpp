@@ -118,7 +118,7 @@ SteadySliding possible_sliding(const Joint& joint)
     const auto& a = joint.actuator;
     const bool limited = joint.control.effort_limit < infinity || a.limit < infinity || a.sag_effort < infinity ||
                          (a.kind == ActuatorKind::dc_motor && is_set(a.supply_voltage));
-    if (limited && steady.reason == Reason::none && !limits_leave(joint, steady.velocity))
+    if (limited && steady.reason == Reason::none && !limits_leave(joint, steady.slides_at))
         steady.reason = Reason::limit_too_low;
     return steady;
 }

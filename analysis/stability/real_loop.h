@@ -56,9 +56,6 @@ std::optional<DelayedLoop> link_by_command(const Joint& joint, const LinearJoint
 /// The windows of the gain that is open, in what is reported. Ticks and dead time always leave an end above.
 StableGains turned_gains(const RealLoop& loop);
 
-/// The mechanism slides at V_0 by what the encoder says.
-double sliding_velocity(const Joint& joint, double commanded);
-
 /// max Re s, or max ln|z|/T.
 double growth(const RealLoop& loop);
 
@@ -66,7 +63,7 @@ double growth(const RealLoop& loop);
 double side(const RealLoop& loop);
 
 /// The loop opened at the command; all NaN where there is none.
-CommandMargins real_margins(const Joint& joint, double velocity);
+CommandMargins real_margins(const Joint& joint);
 
 /// Fills in the margins of an ideal loop, which verdicts do without as they take long beside it.
 void add_margins(const Joint& joint, LinearVerdict& verdict);
@@ -76,13 +73,13 @@ void add_frictions(const LinearJoint& linear, LinearVerdict& verdict);
 
 /// Both theories under the joint's own loop, in the terms of the ideal one.
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict);
-double real_growth(const Joint& joint, double velocity, bool velocity_only_friction);
-double real_side(const Joint& joint, double velocity, bool velocity_only_friction);
+double real_growth(const Joint& joint, bool velocity_only_friction);
+double real_side(const Joint& joint, bool velocity_only_friction);
 /// Whether the growth takes a search that costs many times the side: of loops that delay friction.
 bool growth_is_costly(const Joint& joint);
 /// The root of the loop whose real part is the growth, in the upper half plane; of a sampled one ln z / T. NaN where
 /// there is none.
-std::complex<double> real_root(const Joint& joint, double velocity);
-PointResult real_point(const Joint& joint, double velocity);
+std::complex<double> real_root(const Joint& joint);
+PointResult real_point(const Joint& joint);
 
 }  // namespace stickslip

@@ -42,7 +42,7 @@ std::optional<LoopResponse> LoopResponse::of(const Joint& joint, Theory theory, 
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return std::nullopt;
     const bool ideal = loop_kind(joint) == LoopKind::ideal;
-    const double velocity = ideal ? steady.velocity : sliding_velocity(joint, steady.velocity);
+    const double velocity = steady.slides_at;
     LoopResponse answer;
     answer.linear_ = linear_joint(joint, velocity);
     const auto& linear = answer.linear_;
@@ -220,9 +220,8 @@ ForcedResponse LoopResponse::continuous(const SampledForce& force) const
 
 std::vector<std::vector<Complex>> root_locus(const Joint& joint, const std::vector<double>& gains)
 {
-    const double commanded = commanded_velocity(joint);
-    if (loop_kind(joint) == LoopKind::ideal) return root_locus(linear_joint(joint, commanded), gains);
-    const double velocity = sliding_velocity(joint, commanded);
+    const double velocity = sliding_velocity(joint);
+    if (loop_kind(joint) == LoopKind::ideal) return root_locus(linear_joint(joint, velocity), gains);
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::k_p);
     if (!loop || joint.control.structure == Structure::cascade) return {};
     std::vector<std::vector<Complex>> rows;

@@ -23,14 +23,9 @@ Reason without_loop(const Joint& joint)
 
 }  // namespace
 
-double sliding_velocity(const Joint& joint, double commanded)
+CommandMargins real_margins(const Joint& joint)
 {
-    return commanded / joint.sensor.position_scale;
-}
-
-CommandMargins real_margins(const Joint& joint, double commanded)
-{
-    const double velocity = sliding_velocity(joint, commanded);
+    const double velocity = sliding_velocity(joint);
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::all);
     if (!loop) return {};
     if (const auto* sampled = std::get_if<DiscreteLoop>(&loop->loop)) return command_margins(*sampled);
@@ -42,7 +37,7 @@ void add_margins(const Joint& joint, LinearVerdict& verdict)
 {
     if (verdict.steady.reason != Reason::none || joint.control.kind != ControlKind::position) return;
     if (!std::isnan(verdict.state_variable.phase_margin_deg)) return;
-    const auto margins = real_margins(joint, verdict.steady.velocity);
+    const auto margins = real_margins(joint);
     verdict.state_variable.gain_margin_db = margins.gain_db;
     verdict.state_variable.phase_margin_deg = margins.phase_deg;
 }
@@ -65,9 +60,9 @@ double growth_within_tick(const Joint& joint, const LinearJoint& linear, double 
     return root_within_tick(joint, linear, velocity).real();
 }
 
-std::optional<RealLoop> whole_loop(const Joint& joint, double commanded, bool velocity_only_friction)
+std::optional<RealLoop> whole_loop(const Joint& joint, bool velocity_only_friction)
 {
-    const double velocity = sliding_velocity(joint, commanded);
+    const double velocity = sliding_velocity(joint);
     auto linear = linear_joint(joint, velocity);
     if (velocity_only_friction) linear = velocity_only(std::move(linear));
     return real_loop(joint, linear, velocity, TurnedGain::all);
@@ -75,21 +70,21 @@ std::optional<RealLoop> whole_loop(const Joint& joint, double commanded, bool ve
 
 }  // namespace
 
-double real_growth(const Joint& joint, double commanded, bool velocity_only_friction)
+double real_growth(const Joint& joint, bool velocity_only_friction)
 {
-    const auto loop = whole_loop(joint, commanded, velocity_only_friction);
+    const auto loop = whole_loop(joint, velocity_only_friction);
     if (!loop) return missing;
     const double rate = growth(*loop);
     if (rate != infinity) return rate;
-    const double velocity = sliding_velocity(joint, commanded);
+    const double velocity = sliding_velocity(joint);
     auto linear = linear_joint(joint, velocity);
     if (velocity_only_friction) linear = velocity_only(std::move(linear));
     return growth_within_tick(joint, linear, velocity);
 }
 
-double real_side(const Joint& joint, double commanded, bool velocity_only_friction)
+double real_side(const Joint& joint, bool velocity_only_friction)
 {
-    const auto loop = whole_loop(joint, commanded, velocity_only_friction);
+    const auto loop = whole_loop(joint, velocity_only_friction);
     return loop ? side(*loop) : missing;
 }
 
@@ -97,14 +92,14 @@ bool growth_is_costly(const Joint& joint)
 {
     const auto sliding = possible_sliding(joint);
     if (loop_kind(joint) == LoopKind::ideal || sliding.reason != Reason::none) return false;
-    const auto loop = whole_loop(joint, sliding.velocity, false);
+    const auto loop = whole_loop(joint, false);
     const auto* delayed = loop ? std::get_if<DelayedLoop>(&loop->loop) : nullptr;
     return delayed && (!delayed->friction.empty() || delayed->ticked);
 }
 
-Complex real_root(const Joint& joint, double commanded)
+Complex real_root(const Joint& joint)
 {
-    const double velocity = sliding_velocity(joint, commanded);
+    const double velocity = sliding_velocity(joint);
     const auto linear = linear_joint(joint, velocity);
     const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
     if (!loop) return missing;
@@ -119,9 +114,9 @@ Complex real_root(const Joint& joint, double commanded)
     return {root.real(), std::abs(root.imag())};
 }
 
-PointResult real_point(const Joint& joint, double commanded)
+PointResult real_point(const Joint& joint)
 {
-    const double velocity = sliding_velocity(joint, commanded);
+    const double velocity = sliding_velocity(joint);
     PointResult point;
     const auto linear = linear_joint(joint, velocity);
     const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
@@ -178,7 +173,7 @@ void take_velocity_only(const Joint& joint, const LinearJoint& linear, double V,
 
 LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
 {
-    const double V = sliding_velocity(joint, verdict.steady.velocity);
+    const double V = verdict.steady.slides_at;
     const auto linear = linear_joint(joint, V);
     auto& simple = verdict.velocity_only;
     auto& memory = verdict.state_variable;
@@ -205,7 +200,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         if (root.imag() > 0) memory.eigenvalues.push_back(std::conj(root));
         memory.all_eigenvalues = false;
         memory.searched_from = memory.searched_to = gains_of(joint.control).k_p;
-        const double simply = real_growth(joint, verdict.steady.velocity, true);
+        const double simply = real_growth(joint, true);
         simple.stable = simply < 0;
         simple.neutral = simply == 0;
         return verdict;
@@ -221,8 +216,7 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
         memory.eigenvalues = closed.roots;
         memory.all_eigenvalues = delayed->finite();
         if (delayed->period > 0)
-            for (const Complex& root : memory.eigenvalues)
-                memory.multipliers.push_back(std::exp(root * delayed->period));
+            for (const Complex& s : memory.eigenvalues) memory.multipliers.push_back(std::exp(s * delayed->period));
         const auto margins = command_margins(*delayed, closed);
         memory.gain_margin_db = margins.gain_db;
         memory.phase_margin_deg = margins.phase_deg;

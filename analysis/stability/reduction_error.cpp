@@ -32,18 +32,17 @@ std::vector<double> sign_changes(Function&& f, double low, double high, int scan
 }
 
 /// Of the loop that the joint has.
-StableGains windows(const Reduction& joint, double commanded)
+StableGains windows(const Reduction& joint, double velocity)
 {
     StableGains gains;
     if (loop_kind(joint.joint) == LoopKind::ideal) {
-        const auto linear = linear_joint(joint, commanded);
+        const auto linear = linear_joint(joint, velocity);
         auto search = crossings(linear);
         gains.stable = stable_intervals(linear, search.crossings, search.searched_to);
         gains.searched_to = search.searched_to;
         return gains;
     }
-    const double sliding = sliding_velocity(joint.joint, commanded);
-    if (const auto loop = real_loop(joint.joint, linear_joint(joint, sliding), sliding, TurnedGain::k_p))
+    if (const auto loop = real_loop(joint.joint, linear_joint(joint, velocity), velocity, TurnedGain::k_p))
         return turned_gains(*loop);
     return gains;
 }
@@ -54,7 +53,7 @@ std::vector<double> gain_boundaries(const Reduction& joint, double low, double h
     std::vector<double> found;
     const auto steady = steady_sliding(joint.joint);
     if (steady.reason != Reason::none) return found;
-    const auto gains = windows(joint, steady.velocity);
+    const auto gains = windows(joint, steady.slides_at);
     for (const auto& stable : gains.stable)
         for (const double end : {stable.low, stable.high})
             if (end > low && end < high && end != gains.searched_to) found.push_back(end);
@@ -95,8 +94,8 @@ double growth_rate(const Reduction& reduced)
     if (reduced.joined.empty()) return growth_rate(reduced.joint);
     const auto steady = steady_sliding(reduced.joint);
     if (steady.reason != Reason::none) return missing;
-    if (loop_kind(reduced.joint) == LoopKind::ideal) return spectral_abscissa(linear_joint(reduced, steady.velocity));
-    const double sliding = sliding_velocity(reduced.joint, steady.velocity);
+    if (loop_kind(reduced.joint) == LoopKind::ideal) return spectral_abscissa(linear_joint(reduced, steady.slides_at));
+    const double sliding = steady.slides_at;
     const auto loop = real_loop(reduced.joint, linear_joint(reduced, sliding), sliding, TurnedGain::all);
     return loop ? growth(*loop) : missing;
 }
@@ -109,7 +108,7 @@ double side(const Reduction& reduced)
     const auto steady = steady_sliding(reduced.joint);
     if (steady.reason != Reason::none) return missing;
     if (loop_kind(reduced.joint) != LoopKind::continuous) return growth_rate(reduced);
-    const double sliding = sliding_velocity(reduced.joint, steady.velocity);
+    const double sliding = steady.slides_at;
     const auto loop = real_loop(reduced.joint, linear_joint(reduced, sliding), sliding, TurnedGain::all);
     return loop ? side(*loop) : missing;
 }

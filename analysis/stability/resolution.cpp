@@ -24,9 +24,9 @@ double instability(const Joint& joint, Theory theory)
     const bool simple = theory == Theory::velocity_only;
     const auto steady = possible_sliding(joint);
     if (steady.reason != Reason::none) return missing;
-    if (loop_kind(joint) != LoopKind::ideal) return real_side(joint, steady.velocity, simple);
+    if (loop_kind(joint) != LoopKind::ideal) return real_side(joint, simple);
     if (simple) return velocity_only_growth_rate(joint);
-    const auto linear = linear_joint(joint, steady.velocity);
+    const auto linear = linear_joint(joint, steady.slides_at);
     if (linear.rational()) return growth_rate(joint);
     const auto right = roots_right_of(linear, 0);
     return !right ? missing : *right == 0 ? -1 : 1;
@@ -116,7 +116,11 @@ namespace {
 RangeGain common_gain(const Joint& joint, const std::vector<double>& V)
 {
     const bool ideal = loop_kind(joint) == LoopKind::ideal;
-    const auto gains = [&](double v) {
+    Joint there = joint;
+    there.control.force_rate = not_set;
+    const auto gains = [&](double commanded) {
+        there.control.V0 = commanded;
+        const double v = sliding_velocity(there);
         auto linear = linear_joint(joint, v);
         if (ideal) return velocity_only_gains(linear);
         const auto loop = real_loop(joint, velocity_only(std::move(linear)), v, TurnedGain::k_v);

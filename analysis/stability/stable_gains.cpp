@@ -50,13 +50,12 @@ bool gain_moves_sliding(const Joint& joint)
 
 StableGains stable_gains(const Joint& joint, Theory theory)
 {
-    const double V = commanded_velocity(joint);
+    const double V = sliding_velocity(joint);
     StableGains gains;
     if (loop_kind(joint) != LoopKind::ideal) {
-        const double sliding = sliding_velocity(joint, V);
-        auto linear = linear_joint(joint, sliding);
+        auto linear = linear_joint(joint, V);
         if (theory == Theory::velocity_only) linear = velocity_only(std::move(linear));
-        const auto loop = real_loop(joint, linear, sliding, TurnedGain::k_p);
+        const auto loop = real_loop(joint, linear, V, TurnedGain::k_p);
         if (loop) return turned_gains(*loop);
         gains.known = false;
         return gains;

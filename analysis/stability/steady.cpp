@@ -47,6 +47,7 @@ SteadySliding steady_sliding(const Joint& joint)
 {
     SteadySliding s;
     s.velocity = commanded_velocity(joint);
+    s.slides_at = sliding_velocity(joint);
     if (!is_set(s.velocity)) {
         s.reason = Reason::no_velocity;
         return s;
@@ -58,23 +59,23 @@ SteadySliding steady_sliding(const Joint& joint)
     s.friction = 0;
     for (int i = 0; i < chain.bodies; ++i) {
         const auto& body = chain.body[i];
-        s.reason = obstacle(*body.friction, body.velocity(s.velocity));
+        s.reason = obstacle(*body.friction, body.velocity(s.slides_at));
         if (s.reason != Reason::none) {
             s.friction = missing;
             return s;
         }
-        s.friction += body.ratio * steady_force(*body.friction, body.velocity(s.velocity));
+        s.friction += body.ratio * steady_force(*body.friction, body.velocity(s.slides_at));
     }
     double effort = s.friction;
     bool carries = true;
     if (loaded_by_effort(chain)) {
-        effort = carried_efforts(joint, s.velocity, 0)[0];
+        effort = carried_efforts(joint, s.slides_at, 0)[0];
         for (int i = chain.bodies > 1 ? 1 : 0; i < chain.bodies; ++i)
             carries = carries && chain.body[i].friction->load_coefficient < 1;
     }
     if (joint.load.constant != 0 && joint.control.kind == ControlKind::position)
-        effort = steady_effort(joint, s.velocity);
-    const double command = command_for(joint.actuator, effort, s.velocity);
+        effort = steady_effort(joint, s.slides_at);
+    const double command = command_for(joint.actuator, effort, s.slides_at);
     // at V_0 as the controller reads it
     s.deflection = joint.control.kind == ControlKind::force
                        ? command / joint.control.k_p

@@ -5,8 +5,8 @@
 
 namespace stickslip {
 
-/// The friction of all bodies in joint coordinates, Σ N f_ss(N V_0), and the deflection of the loop that carries it, or
-/// the reason why the joint cannot slide steadily at V_0.
+/// The friction of all bodies in joint coordinates, Σ N f_ss(N V) at the velocity V at which the joint slides, and the
+/// deflection of the loop that carries it, or the reason why the joint cannot slide steadily there.
 SteadySliding steady_sliding(const Joint& joint);
 
 }  // namespace stickslip

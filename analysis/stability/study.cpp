@@ -60,7 +60,7 @@ std::vector<ReductionStudy> named_only(const Joint& joint)
 bool many_dead_ticks(const Joint& joint)
 {
     if (loop_kind(joint) != LoopKind::sampled) return false;
-    const double V = sliding_velocity(joint, commanded_velocity(joint));
+    const double V = sliding_velocity(joint);
     const auto loop = real_loop(joint, linear_joint(joint, V), V, TurnedGain::all);
     return loop && std::holds_alternative<DelayedLoop>(loop->loop);
 }
@@ -82,7 +82,7 @@ LinearStudy linear_study(const Joint& given)
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return study;
     const double V = std::abs(steady.velocity), reach = std::pow(10, study_decades);
-    const auto linear = linear_joint(joint, steady.velocity);
+    const auto linear = linear_joint(joint, steady.slides_at);
     const bool effort = search_effort() >= effort_of_delayed_studies;
     const bool costly = !effort && many_dead_ticks(joint);
     const bool hasty = search_effort() < 1 && loop_kind(joint) != LoopKind::ideal;
@@ -94,7 +94,7 @@ LinearStudy linear_study(const Joint& given)
     }
     if (loop_kind(joint) == LoopKind::ideal) {
         study.margins = loop_margins(linear, gains.crossings);
-    } else if (const auto margins = real_margins(joint, steady.velocity); growth_rate(joint) < 0) {
+    } else if (const auto margins = real_margins(joint); growth_rate(joint) < 0) {
         study.margins = {margins.gain_below, margins.gain_above, margins.lag, margins.crossover};
     }
     if (!known_at_one_velocity(joint)) {

@@ -16,19 +16,19 @@ struct ForceRamp {
 };
 
 struct LinearStudy {
-    double compliance = missing;  ///< |X/D|(0): lasting displacement per lasting force on the link
-    ResponsePeak peak{missing, missing};
-    LoopMargins margins{missing, missing, missing, missing};
-    Interval velocities{missing, missing};  ///< searched for stable_velocities; NaN: known_at_one_velocity
-    StableVelocities velocity_only, state_variable;
+    double compliance = missing;          ///< |X/D|(0): lasting displacement per lasting force on the link
+    ResponsePeak peak{missing, missing};  ///< largest displacement per periodic force
+    LoopMargins margins{missing, missing, missing, missing};  ///< of the loop opened at its command
+    Interval velocities{missing, missing};           ///< searched for stable_velocities; NaN: known_at_one_velocity
+    StableVelocities velocity_only, state_variable;  ///< by either theory [m/s | rad/s]
     int velocities_looked_at = 0;         ///< by stable_velocities: two changes between neighbours are not seen
     std::optional<RangeGain> range_gain;  ///< k_v for every velocity up to the highest searched
-    Comparison comparison;
+    Comparison comparison;                ///< stable gains by either theory
     double velocity_noise = missing;  ///< σ_v/σ_x = √2/T of a differenced position, where the loop has a sample time
     GainMix mix;                      ///< for velocity_noise
     bool mix_searched = true;         ///< false: takes more than the usual effort
     std::optional<ForceRamp> ramp;    ///< force control
-    std::vector<ReductionStudy> reductions;
+    std::vector<ReductionStudy> reductions;  ///< smaller models, and how far their boundaries are off
 };
 
 /// Whether the joint's sampled loop is judged by its characteristic function, because of many dead ticks or of delayed

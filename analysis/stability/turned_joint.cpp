@@ -45,7 +45,7 @@ std::optional<LinearJoint> TurnedJoint::at(double k_p)
     joint_.control.k_p = k_p;
     const auto steady = steady_sliding(joint_);
     if (steady.reason != Reason::none) return std::nullopt;
-    auto linear = linear_joint(joint_, steady.velocity);
+    auto linear = linear_joint(joint_, steady.slides_at);
     return theory_ == Theory::velocity_only ? velocity_only(std::move(linear)) : linear;
 }
 
@@ -67,7 +67,7 @@ std::optional<RootsAtGain> TurnedJoint::look(double k_p, const RootsAtGain* near
         roots = roots_near(*linear, *count, near_roots, expected);
     } else {
         const bool plain = is_plain_mass(joint_) && theory_ == Theory::state_variable;
-        roots = plain ? spectrum(linear_mass(joint_, commanded_velocity(joint_))) : spectrum(*linear);
+        roots = plain ? spectrum(linear_mass(joint_, sliding_velocity(joint_))) : spectrum(*linear);
         work_ += static_cast<long>(roots.size());
         if (roots.empty()) return std::nullopt;
         here.right = right_of_axis(roots);

@@ -61,7 +61,7 @@ Region region_of(std::uint8_t velocity_only, std::uint8_t memory)
 /// Any other joint, with the means of linear_joint.h.
 LinearVerdict joint_verdict(const Joint& joint, LinearVerdict verdict)
 {
-    const auto linear = linear_joint(joint, verdict.steady.velocity);
+    const auto linear = linear_joint(joint, verdict.steady.slides_at);
     auto& simple = verdict.velocity_only;
     auto& memory = verdict.state_variable;
     add_frictions(linear, verdict);
@@ -155,7 +155,7 @@ LinearVerdict linear_verdict(const Joint& described)
         return summed;
     }
     if (!is_plain_mass(joint)) return joint_verdict(joint, std::move(verdict));
-    const auto mass = linear_mass(joint, verdict.steady.velocity);
+    const auto mass = linear_mass(joint, verdict.steady.slides_at);
     if (!mass.friction.rational()) return joint_verdict(joint, std::move(verdict));
 
     auto& simple = verdict.velocity_only;
@@ -179,13 +179,13 @@ double growth_rate(const Joint& joint)
 {
     const auto steady = possible_sliding(joint);
     if (steady.reason != Reason::none) return missing;
-    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, false);
+    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, false);
     if (joint.control.structure == Structure::cascade) return growth_rate(with_gains(joint));
     if (is_plain_mass(joint)) {
-        const auto mass = linear_mass(joint, steady.velocity);
+        const auto mass = linear_mass(joint, steady.slides_at);
         if (mass.friction.rational()) return spectral_abscissa(mass);
     }
-    return spectral_abscissa(linear_joint(joint, steady.velocity));
+    return spectral_abscissa(linear_joint(joint, steady.slides_at));
 }
 
 void add_frictions(const LinearJoint& linear, LinearVerdict& verdict)
@@ -204,9 +204,9 @@ double velocity_only_growth_rate(const Joint& joint)
 {
     const auto steady = possible_sliding(joint);
     if (steady.reason != Reason::none) return missing;
-    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
+    if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, true);
     if (joint.control.structure == Structure::cascade) return velocity_only_growth_rate(with_gains(joint));
-    return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
+    return spectral_abscissa(velocity_only(linear_joint(joint, steady.slides_at)));
 }
 
 PointResult linear_point(const Joint& joint)
@@ -215,11 +215,11 @@ PointResult linear_point(const Joint& joint)
     const auto steady = possible_sliding(joint);
     point.reason = steady.reason;
     if (steady.reason != Reason::none) return point;
-    if (loop_kind(joint) != LoopKind::ideal) return real_point(joint, steady.velocity);
+    if (loop_kind(joint) != LoopKind::ideal) return real_point(joint);
     if (joint.control.structure == Structure::cascade) return linear_point(with_gains(joint));
-    if (!is_plain_mass(joint)) return joint_point(joint, steady.velocity);
-    const auto mass = linear_mass(joint, steady.velocity);
-    if (!mass.friction.rational()) return joint_point(joint, steady.velocity);
+    if (!is_plain_mass(joint)) return joint_point(joint, steady.slides_at);
+    const auto mass = linear_mass(joint, steady.slides_at);
+    if (!mass.friction.rational()) return joint_point(joint, steady.slides_at);
     const double slope = steady_slope(mass.friction);
     point.spectral_abscissa = spectral_abscissa(mass);
     if (!std::isfinite(point.spectral_abscissa) || !std::isfinite(slope)) {

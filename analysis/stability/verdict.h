@@ -11,17 +11,18 @@
 
 namespace stickslip {
 
-/// Steady sliding at the commanded velocity.
+/// Steady sliding at the commanded velocity, as the controller reads it.
 struct SteadySliding {
-    double velocity = missing;     ///< V_0
-    double friction = missing;     ///< f_ss(V_0)
-    double deflection = missing;   ///< δ_ss, position error; f_ss(V_0)/k_p of the ideal loop
+    double velocity = missing;     ///< V_0, commanded [m/s | rad/s]
+    double slides_at = missing;    ///< V, V_0 per `sensor.position_scale`: where the joint really slides [m/s | rad/s]
+    double friction = missing;     ///< f_ss(V) [N | N·m]
+    double deflection = missing;   ///< δ_ss, position error as read [m | rad]; f_ss(V_0)/k_p of the ideal loop
     Reason reason = Reason::none;  ///< why there is none
 };
 
 /// (20)-(21): friction replaced by its steady-state curve.
 struct VelocityOnlyVerdict {
-    bool stable = false;
+    bool stable = false;       ///< every root left of the imaginary axis
     bool neutral = false;      ///< a root on the imaginary axis, none right of it: disturbances neither decay nor grow
     double k_v_min = missing;  ///< max(0, −f_ss'(V_0)): least gain, to be exceeded
     std::vector<Interval> stable_k_v;  ///< at the joint's k_p: (k_v_min, ∞) for one mass, windows for several
@@ -30,7 +31,7 @@ struct VelocityOnlyVerdict {
 
 /// (27)-(37): friction with memory.
 struct StateVariableVerdict {
-    bool stable = false;
+    bool stable = false;                            ///< every root left of the imaginary axis
     bool neutral = false;                           ///< as above
     double spectral_abscissa = missing;             ///< 0 where only rounding is left of it
     std::vector<std::complex<double>> eigenvalues;  ///< 1/s, rightmost first
@@ -49,10 +50,10 @@ struct StateVariableVerdict {
 };
 
 struct LinearVerdict {
-    SteadySliding steady;  ///< what the verdicts are about
-    LoopUse loop;          ///< which loop the verdicts are about
-    VelocityOnlyVerdict velocity_only;
-    StateVariableVerdict state_variable;
+    SteadySliding steady;                 ///< what the verdicts are about
+    LoopUse loop;                         ///< which loop the verdicts are about
+    VelocityOnlyVerdict velocity_only;    ///< without memory
+    StateVariableVerdict state_variable;  ///< with memory
 };
 
 /// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason.

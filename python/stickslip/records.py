@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     import pandas
 
 
+LONGEST_FILE_NAME = 255  # bytes, of every common file system
+
+
 def _numbers(where: str, given: "pandas.Series") -> "pandas.Series":
     """The column in plain numbers, of whatever kind pandas has them: nullable, Arrow's, categories, text, objects."""
     import numpy
@@ -74,12 +77,17 @@ def as_frame(name: str, record: Any):
 
 def write_record(name: str, record: Any, folder: Path, log: Mapping[str, Any]) -> Path:
     """The record as CSV with all digits. A file in CSV stays where it is; logs are read with the options in `log`."""
+    if not isinstance(name, str):
+        raise TypeError(f"records: got {name!r} as the name of a record, expected text, {{\"run1\": frame}}")
     if isinstance(record, (str, Path)):
         if str(record).lower().endswith((".csv", ".csv.gz")):
             return Path(record)
         record = read_log(record, **log)
     frame = as_frame(name, record)
     file = folder / (re.sub(r"[^\w.-]+", "-", name) + ".csv")
+    if len(file.name.encode()) > LONGEST_FILE_NAME:
+        raise StickslipError(f"records: got a name of {len(name)} characters, {name[:30]!r}…; a file is written under it, whose name "
+                             f"may have {LONGEST_FILE_NAME} bytes with its ending .csv")
     if file.exists():
         raise StickslipError(f"{name}: two records would be written as {file.name}; give them different names")
     frame.to_csv(file, index=False)

@@ -5,6 +5,7 @@
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -125,6 +126,13 @@ std::vector<IdleAxis> idle_coordinates(const Joint& joint, const Uncertainty& un
         axes.push_back(std::move(axis));
     }
     return idle_axes(joint, axes);
+}
+
+bool only_idle(const std::vector<IdleAxis>& idle, const Uncertainty& uncertainty)
+{
+    const auto& list = uncertainty.coordinates;
+    return std::all_of(list.begin(), list.end(),
+                       [&](const Coordinate& c) { return c.less.empty() && idle_axis(idle, c.path); });
 }
 
 }  // namespace stickslip

@@ -74,7 +74,7 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
     if (steady.reason != Reason::none || !(low > 0)) return std::nullopt;
     RootLocus locus;
     locus.rational = loop_kind(joint) == LoopKind::sampled ||
-                     (joint.dead_time() == 0 && linear_joint(joint, steady.velocity).rational());
+                     (joint.dead_time() == 0 && linear_joint(joint, steady.slides_at).rational());
     locus.gains = log_steps(low, high, locus.rational ? locus_gains : delayed_gains);
     if (!sample(locus, joint)) return std::nullopt;
     locus.own_gain = joint.control.k_p;
@@ -86,7 +86,7 @@ std::optional<RootLocus> sampled_root_locus(const Joint& joint, double low, doub
 std::vector<GainRoots> coarse_root_locus(const Joint& joint)
 {
     const bool finite = (loop_kind(joint) == LoopKind::sampled && !many_dead_ticks(joint)) ||
-                        (joint.dead_time() == 0 && linear_joint(joint, commanded_velocity(joint)).rational());
+                        (joint.dead_time() == 0 && linear_joint(joint, sliding_velocity(joint)).rational());
     // where roots have no end, each gain costs a search
     const int steps = finite ? 48 : search_effort() < 1 ? 2 : 8;
     std::vector<double> gains;

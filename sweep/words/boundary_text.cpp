@@ -11,21 +11,52 @@
 namespace stickslip {
 namespace {
 
+/// "from 3 Ω to 30 kΩ", "at 2 Ω, from 3 Ω to 5 Ω"; of many stretches where the first begins and the last ends.
+std::string stretches_text(std::vector<ScanStretch> stretches, Quantity quantity, Units units)
+{
+    constexpr std::size_t most_told = 3;
+    const bool many = stretches.size() > most_told;
+    const std::string count = std::to_string(stretches.size());
+    if (many) stretches = {{stretches.front().low, stretches.back().high}};
+    std::string text;
+    for (const auto& s : stretches) {
+        text += text.empty() ? "" : ", ";
+        text += s.low == s.high ? "at " + with_unit(s.low, quantity, units)
+                                : range_text(s.low, s.high, quantity, units, {"from ", " to ", ""});
+    }
+    return many ? "in " + count + " stretches " + text : text;
+}
+
+/// "85 of 201 points have none: from 3 Ω to 30 kΩ".
+std::string without_verdict_text(int undecided, int nodes, const std::vector<ScanStretch>& stretches, Quantity quantity,
+                                 Units units)
+{
+    return std::to_string(undecided) + " of " + std::to_string(nodes) +
+           (undecided == 1 ? " has none: " : " have none: ") + stretches_text(stretches, quantity, units);
+}
+
 /// What lies beyond a range without boundaries.
 std::string outside_text(const LocatedRay& ray, Units units)
 {
     if (!ray.outside) return "";
     const auto& o = *ray.outside;
     const auto quantity = ray.axis.quantity;
+    const auto range = range_text(o.low, o.high, quantity, units, low_to_high);
+    if (o.nodes > 0 && o.undecided == o.nodes) return " Outside, within " + range + ", no point has a verdict.";
+    const auto open = o.undecided == 0 ? std::string()
+                                       : without_verdict_text(o.undecided, o.nodes, o.without_verdict, quantity, units);
     // of points without a verdict, and of what lies between those that were looked at, nothing is known
+    if (!o.nearest && open.empty()) return " None was found within " + range + " either.";
     if (!o.nearest)
-        return " None was found within " + range_text(o.low, o.high, quantity, units, low_to_high) + " either.";
-    return " The nearest one outside lies at " + ray.axis.symbol + " = " +
-           with_unit(o.nearest->value, quantity, units, ray.kind == BoundaryKind::outcome ? 4 : 8) + ".";
+        return " Outside, within " + range + ", none was found at the points that have a verdict; " + open + ".";
+    return " The nearest one " + std::string(open.empty() ? "outside" : "found outside") + " lies at " +
+           ray.axis.symbol + " = " +
+           with_unit(o.nearest->value, quantity, units, ray.kind == BoundaryKind::outcome ? 4 : 8) +
+           (open.empty() ? "." : "; of points within " + range + " that were looked at, " + open + ".");
 }
 
 /// What the scanned points of a ray without boundaries say.
-std::string throughout(const LocatedRay& ray)
+std::string throughout(const LocatedRay& ray, Units units)
 {
     const double judged = 1 - static_cast<double>(ray.undecided) / ray.nodes;
     const bool rests = ray.kind == BoundaryKind::hunting, cycles = ray.kind == BoundaryKind::fold;
@@ -36,15 +67,17 @@ std::string throughout(const LocatedRay& ray)
                                                               : cycles ? ": no cycles "
                                                                        : ": stable ")
                                                            : nullptr;
-    if (!side) return "";
+    const auto open = ray.undecided == 0 ? std::string()
+                                         : without_verdict_text(ray.undecided, ray.nodes, ray.without_verdict,
+                                                                ray.axis.quantity, units);
+    if (!side) return open.empty() ? "" : ": at scanned points that have a verdict; " + open;
     if (ray.neutral_share > 0 && ray.stable_share == 0)
         return ": neutral " +
                std::string(ray.neutral_share > judged - 1e-12 ? "throughout" : "or unstable throughout") +
                ". Where sliding is neutral, small disturbances neither decay nor grow, and nothing turns stable";
-    return side + (ray.undecided == 0
-                       ? std::string("throughout")
-                       : "at all of the " + std::to_string(ray.nodes - ray.undecided) +
-                             " scanned points that have a verdict; " + std::to_string(ray.undecided) + " have none");
+    return side + (ray.undecided == 0 ? std::string("throughout")
+                                      : "at all of the " + std::to_string(ray.nodes - ray.undecided) +
+                                            " scanned points that have a verdict; " + open);
 }
 
 /// Of a bracket that simulation leaves wide, which is one around values that it does not decide.
@@ -77,6 +110,8 @@ std::string could_be_missed(const LocatedRay& ray)
     else if (ray.kind == BoundaryKind::fold)
         text += "; cycles that neither a subcritical linear boundary nor a start from near rest leads to";
     if (ray.undecided > 0) text += fmt::format("; {} of {} scanned points have no verdict", ray.undecided, ray.nodes);
+    if (ray.outside && ray.outside->undecided > 0)
+        text += fmt::format("; {} of {} points outside have no verdict", ray.outside->undecided, ray.outside->nodes);
     if (ray.undecided > 0 && ray.reason != Reason::none)
         text += fmt::format(" ({}{})", ray.undecided > 1 ? "the first: " : "", reason_text(ray.reason));
     return text;
@@ -122,7 +157,7 @@ std::string ray_text(const Joint& design, const LocatedRay& ray, const std::vect
                 : at_rest           ? ". What it does at rest is not judged: simulate it."
                                     : ". What it does to sliding is not judged: simulate it.");
     if (ray.points.empty())
-        return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray) + "." +
+        return "No " + kind + " along " + ray.axis.symbol + " within " + range + throughout(ray, units) + "." +
                outside_text(ray, units);
     kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
     std::string text = kind + " along " + ray.axis.symbol + " at ";

@@ -124,8 +124,8 @@ std::string design_verdict_text(const DesignAnswer& a)
     const DesignUnits u{units_of(a.joint)};
     const auto& d = a.design;
     if (!d.decided)
-        return low_limit(a.joint, commanded_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
-                                                               : "No design: the joint has no steady sliding.";
+        return low_limit(a.joint, sliding_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
+                                                             : "No design: the joint has no steady sliding.";
     if (!d.feasible) return infeasible_text(a, u) + loop_text(a.loop);
     std::string text = "Best gains: " + gains_text(d.best, u) + ". Steady sliding stays " +
                        u.position(std::abs(d.best.steady_deflection)) +

@@ -1,6 +1,5 @@
 #include "sweep/words/loop_text.h"
 
-#include "analysis/joint/loop_side.h"
 #include "analysis/results/text.h"
 
 #include <algorithm>
@@ -62,7 +61,8 @@ std::string loop_text(const LoopUse& loop)
     if (loop.kind != LoopKind::ideal) text += " The loop is " + loop_name(loop.kind) + ", with " + used + ".";
     if (!matters.empty()) text += " Not used, though it may change the verdict: " + matters + ".";
     if (!rest.empty()) text += " Not part of the linear verdict: " + rest + ".";
-    return text;
+    const auto side = side_text(loop.gear, false);
+    return side.empty() ? text : text + " " + side;
 }
 
 std::string left_out_text(const LoopUse& described, double growth)
@@ -89,18 +89,29 @@ std::string of_ideal_loop(const std::string& verdict)
     return "In the paper's ideal loop. " + verdict;
 }
 
-std::string side_text(const Joint& joint, bool of_record)
+std::string side_text(const GearSide& side, bool of_record)
 {
-    const double N = reading_per_joint(joint);
-    if (N == 1) return {};
-    const auto gear = "the gear of " + plain_number(N, 4) + ":1";
+    if (!side.between()) return {};
+    const auto gear = "the gear of " + plain_number(side.ratio, 4) + ":1";
     if (of_record)
         return "Readings, gains and efforts of a record are at the motor side of " + gear +
                "; verdicts and maps of the same file count them at the joint's, where k_{p} is " +
-               plain_number(N * N, 4) + " times as large.";
+               plain_number(side.gain, 4) + " times as large.";
     return "Displacement, gains and efforts are at the joint side of " + gear +
-           "; a record of the same file counts them at the motor's, where k_{p} is " + plain_number(N * N, 4) +
+           "; a record of the same file counts them at the motor's, where k_{p} is " + plain_number(side.gain, 4) +
            " times smaller.";
+}
+
+std::string unstable_loop_text(const UnstableLoop& loop, Units units)
+{
+    std::string text = loop.diverges ? "The loop diverges: its position runs " +
+                                           with_unit(loop.farthest, Quantity::position, units) + " off the reference"
+                                     : std::string("The loop is unstable");
+    if (loop.growth > 0)
+        text += (loop.diverges ? ". It is unstable: s" : ": s") + std::string("mall disturbances of sliding at ") +
+                with_unit(loop.velocity, Quantity::velocity, units) + " grow at " +
+                with_unit(loop.growth, Quantity::rate, units);
+    return text + ".";
 }
 
 std::string rewritten_law_text(std::string_view law)

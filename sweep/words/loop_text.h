@@ -3,6 +3,7 @@
 #include "analysis/loop/loop_use.h"
 #include "analysis/results/report.h"
 #include "sweep/study/left_out_loop.h"
+#include "sweep/study/loop_growth.h"
 
 #include <string>
 #include <string_view>
@@ -31,7 +32,10 @@ void tell_left_out(const LeftOut& left_out, bool stable, Report& report);
 std::string of_ideal_loop(const std::string& verdict);
 
 /// At which side of a gear numbers are counted, of a record or of a verdict; empty without a gear between.
-std::string side_text(const Joint& joint, bool of_record);
+std::string side_text(const GearSide& gear, bool of_record);
+
+/// A loop that leaves its reference, as a sentence.
+std::string unstable_loop_text(const UnstableLoop& loop, Units units);
 
 /// How a diagnosis writes a law that records are not simulated in as it stands.
 std::string rewritten_law_text(std::string_view law);

@@ -11,15 +11,16 @@ namespace stickslip {
 std::string low_limit_words(const LowLimit& low, const Joint& joint)
 {
     const Units units = units_of(joint);
-    return "is " + with_unit(low.allowed, low.quantity, units, digits_near_limit) +
-           ", and steady sliding at V_{0} = " + with_unit(low.velocity, Quantity::velocity, units) + " takes " +
+    const bool as_commanded = low.velocity == commanded_velocity(joint);
+    return "is " + with_unit(low.allowed, low.quantity, units, digits_near_limit) + ", and steady sliding at " +
+           (as_commanded ? "V_{0} = " : "") + with_unit(low.velocity, Quantity::velocity, units) + " takes " +
            with_unit(low.needed, low.quantity, units, digits_near_limit) + " (" +
            resistance_words(joint, low.friction) + "): there is no steady sliding";
 }
 
 std::string low_limit_text(const Joint& joint)
 {
-    const auto low = low_limit(joint, commanded_velocity(joint));
+    const auto low = low_limit(joint, sliding_velocity(joint));
     if (!low) return "Undecided at the design point: " + reason_text(Reason::limit_too_low) + ".";
     return "No steady sliding: " + std::string(low->path) + " " + low_limit_words(*low, joint) + ".";
 }

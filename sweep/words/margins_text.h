@@ -20,9 +20,6 @@ Table alone_table(const MarginsAnswer& answer);
 /// The same as lines of a terminal.
 std::string alone_lines(const MarginsAnswer& answer);
 
-/// Whether the linear theory knows none of the uncertain parameters, so that its worst joint says nothing.
-bool only_idle(const MarginsAnswer& answer);
-
 /// For the top of a page: the nearest boundary, that of one parameter alone, how far all may be off, the worst joint.
 std::vector<Headline> margins_headlines(const MarginsAnswer& answer);
 

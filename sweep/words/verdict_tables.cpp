@@ -22,13 +22,18 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     Table table;
     table.title = "Linear theory at the design point";
     table.columns = {"quantity", "value"};
-    table.rows = {row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity),
-                  row("friction of steady sliding f_{ss}(V_{0})", v.steady.friction, Quantity::effort),
-                  row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position)};
+    table.rows = {row("commanded velocity V_{0}", v.steady.velocity, Quantity::velocity)};
+    const bool as_commanded = !(v.steady.slides_at != v.steady.velocity) || !is_set(v.steady.slides_at);
+    const std::string V = as_commanded ? "V_{0}" : "V";
+    if (!as_commanded)
+        table.rows.push_back(
+            row("velocity of sliding V = V_{0}/sensor.position_scale", v.steady.slides_at, Quantity::velocity));
+    table.rows.push_back(row("friction of steady sliding f_{ss}(" + V + ")", v.steady.friction, Quantity::effort));
+    table.rows.push_back(row("steady deflection δ_{ss}", v.steady.deflection, Quantity::position));
     // without a verdict no gain was searched: an empty set would say that none is stable
     if (v.steady.reason != Reason::none) return table;
     const std::vector<std::vector<std::string>> judged = {
-        row("slope of the steady curve f_{ss}'(V_{0})", v.velocity_only.slope, Quantity::damping),
+        row("slope of the steady curve f_{ss}'(" + V + ")", v.velocity_only.slope, Quantity::damping),
         {"k_{v} required by the velocity-only model", !searched_in_k_v(joint, v.loop) ? "not searched in this loop"
                                                       : v.velocity_only.k_v_min == 0 && v.velocity_only.slope <= 0
                                                           ? "any k_{v} > 0"

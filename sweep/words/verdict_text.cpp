@@ -71,7 +71,9 @@ bool above_the_loops_window(const Joint& joint, const LinearVerdict& v)
 /// The first words: what the joint does, and how fast.
 std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable, bool rests)
 {
-    const auto speed = with_unit(v.steady.velocity, Quantity::velocity, units_of(joint));
+    const auto in_words = [&](double V) { return with_unit(V, Quantity::velocity, units_of(joint)); };
+    auto speed = in_words(v.steady.slides_at);
+    if (v.steady.slides_at != v.steady.velocity) speed += " (commanded: " + in_words(v.steady.velocity) + ")";
     if (v.state_variable.stable && bistable)
         return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance " +
                (rests ? "brings it to rest for good" : "ends in stick-slip for good");
@@ -131,8 +133,7 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
         text += to_critical(k_p, memory, units);
     else
         text += stable_gains(joint, memory, bistable);
-    const auto side = side_text(joint, false);
-    return text + other_theory(joint, v) + loop_text(v.loop) + (side.empty() ? "" : " " + side);
+    return text + other_theory(joint, v) + loop_text(v.loop);
 }
 
 std::string design_point_text(Region region, double spectral_abscissa, bool rests)

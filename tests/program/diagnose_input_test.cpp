@@ -264,9 +264,9 @@ TEST_CASE("line ends, separators, marks and remarks do not change the answer", "
     std::string answer;
     std::string remark = plain;
     remark.insert(remark.find("\n0.1,") + 1, "# the lamp went on here\n\n");
-    for (const auto& text :
-         {plain, replaced(plain, "\n", "\r\n"), replaced(plain, ",", ";"), replaced(plain, ",", "\t"),
-          "# rig 7\n\n" + plain, "\xef\xbb\xbf" + plain, remark, replaced(plain, ",", " , ")}) {
+    for (const auto& text : {plain, replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"),
+                             replaced(plain, ",", ";"), replaced(plain, ",", "\t"), "# rig 7\n\n" + plain,
+                             "\xef\xbb\xbf" + plain, remark, replaced(plain, ",", " , ")}) {
         Folder folder;
         const auto run = diagnose(folder, text);
         INFO(text.substr(0, 80) << run.output);

@@ -91,6 +91,13 @@ def test_bad_input_says_where():
         for verb in (stickslip.diagnose, lambda joint, records: stickslip.check_gap(joint, records, "baseline.json")):
             with pytest.raises(TypeError, match=f"^records: got {got}, expected a dict of at least one data frame"):
                 verb(REFERENCE, given)
+    run = {"time": [0.0, 0.1], "position": [0.0, 0.0]}
+    for verb in (stickslip.diagnose, lambda joint, records: stickslip.check_gap(joint, records, "baseline.json"),
+                 lambda joint, records: stickslip.export(joint, "mjcf", records=records)):
+        with pytest.raises(TypeError, match="^records: got 1 as the name of a record, expected text"):
+            verb(REFERENCE, {1: run})
+        with pytest.raises(StickslipError, match="^records: got a name of 300 characters, 'xxx.*may have 255 bytes"):
+            verb(REFERENCE, {"x" * 300: run})
     with pytest.raises(TypeError, match="^settings: got list, expected a dict such as"):
         stickslip.evaluate(REFERENCE, ["control.k_p=1"])
     with pytest.raises(TypeError, match="^uncertain: got str, expected a dict"):

@@ -23,10 +23,9 @@ bool is_told_by_count(const Joint& joint, BoundaryKind kind)
     if (loop_kind(joint) == LoopKind::ideal) return false;
     const auto sliding = possible_sliding(joint);
     if (sliding.reason != Reason::none) return false;
-    const double velocity = sliding_velocity(joint, sliding.velocity);
-    const auto linear = linear_joint(joint, velocity);
+    const auto linear = linear_joint(joint, sliding.slides_at);
     if (linear.rational()) return false;
-    const auto loop = real_loop(joint, linear, velocity, TurnedGain::all);
+    const auto loop = real_loop(joint, linear, sliding.slides_at, TurnedGain::all);
     const auto* delayed = loop ? std::get_if<DelayedLoop>(&loop->loop) : nullptr;
     return delayed && delayed->A.allFinite() && OpenedLoop(*delayed).cost() > slow;
 }
@@ -39,7 +38,7 @@ double linear_side(const Joint& joint, BoundaryKind kind)
     // a root that could not be located has a side all the same
     const auto sliding = possible_sliding(joint);
     if (sliding.reason != Reason::none) return missing;
-    return real_side(joint, sliding.velocity, theory_of(kind) == Curve::Kind::velocity_only);
+    return real_side(joint, theory_of(kind) == Curve::Kind::velocity_only);
 }
 
 Region linear_region(const Joint& joint)

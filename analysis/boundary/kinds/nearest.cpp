@@ -247,7 +247,7 @@ NearestOptions affordable_search(const Joint& joint)
     NearestOptions options;
     const auto steady = steady_sliding(joint);
     if (steady.reason != Reason::none) return options;
-    const auto linear = linear_joint(joint, steady.velocity);
+    const auto linear = linear_joint(joint, steady.slides_at);
     if (!linear.rational())
         options.global = false, options.rays = 12, options.local = growth_is_costly(joint) ? 2 : 8,
         options.precision = 1e-4;

@@ -21,13 +21,18 @@ OutsideOfRay nearest_outside(const Joint& joint, const LocatedRay& ray, const Bo
     request.kind = ray.kind;
     request.scan = 0;
     if (ray.kind == BoundaryKind::outcome) request.precision = rough;
-    OutsideOfRay outside{low, high, {}};
+    OutsideOfRay outside;
+    outside.low = low, outside.high = high;
     double distance = infinity;
     const auto look = [&](double from, double to, double end) {
         Axis axis = ray.axis;
         axis.log = true;
         axis.values = {from, to};
-        for (const auto& p : locate_boundaries(joint, axis, request).points) {
+        const auto beyond = locate_boundaries(joint, axis, request);
+        outside.nodes += beyond.nodes, outside.undecided += beyond.undecided;
+        outside.without_verdict.insert(outside.without_verdict.end(), beyond.without_verdict.begin(),
+                                       beyond.without_verdict.end());
+        for (const auto& p : beyond.points) {
             const double away = std::abs(std::log(p.value / end));
             if (away < distance) distance = away, outside.nearest = p;
         }

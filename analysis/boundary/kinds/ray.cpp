@@ -35,7 +35,7 @@ class Ray {
         ray_.evaluations = ray_.nodes;
         int stable = 0, neutral = 0;
         for (std::size_t i = 0; i < n; ++i) {
-            ray_.undecided += std::isnan(sides_[i]);
+            if (std::isnan(sides_[i])) note_undecided(i);
             stable += sides_[i] < 0;
             neutral += neutral_at(i);
             if (i + 1 < n && !neutral_at(i) && !neutral_at(i + 1))
@@ -61,6 +61,16 @@ class Ray {
     static constexpr double by_growth_within = 1e-4;  ///< relative width of a bracket
 
     bool neutral_at(std::size_t node) const { return is_linear(request_.kind) && sides_[node] == 0; }
+
+    void note_undecided(std::size_t node)
+    {
+        ++ray_.undecided;
+        auto& stretches = ray_.without_verdict;
+        if (node > 0 && std::isnan(sides_[node - 1]))
+            stretches.back().high = values_[node];
+        else
+            stretches.push_back({values_[node], values_[node]});
+    }
 
     Joint joint_at(double value) const
     {

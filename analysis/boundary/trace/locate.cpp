@@ -24,7 +24,7 @@ bool is_told_at_once(const Joint& joint, Curve::Kind theory)
     if (theory == Curve::Kind::velocity_only) return true;
     const auto steady = possible_sliding(joint);
     return steady.reason != Reason::none || !is_plain_mass(joint) ||
-           linear_mass(joint, steady.velocity).friction.rational();
+           linear_mass(joint, steady.slides_at).friction.rational();
 }
 
 }  // namespace
@@ -35,12 +35,12 @@ double instability(const Joint& joint, Curve::Kind theory)
     if (theory == Curve::Kind::velocity_only) {
         const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return missing;
-        if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, steady.velocity, true);
+        if (loop_kind(joint) != LoopKind::ideal) return real_growth(joint, true);
         const auto& c = joint.control;
         if (joint.mechanism.model != Model::single_mass || c.force_gain != 0 || c.contact_stiffness != 0 ||
             joint.normal.moves() || joint.neighbour.size > 0)
-            return spectral_abscissa(velocity_only(linear_joint(joint, steady.velocity)));
-        const auto mass = linear_mass(joint, steady.velocity);
+            return spectral_abscissa(velocity_only(linear_joint(joint, steady.slides_at)));
+        const auto mass = linear_mass(joint, steady.slides_at);
         return std::max(-velocity_only_damping(mass, mass.k_v), -mass.k_p);
     }
     return growth_rate(joint);
@@ -51,7 +51,7 @@ std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
     if (loop_kind(joint) == LoopKind::ideal && !is_told_at_once(joint, theory)) {
         const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return {};
-        auto linear = linear_joint(with_gains(joint), steady.velocity);
+        auto linear = linear_joint(with_gains(joint), steady.slides_at);
         if (theory == Curve::Kind::velocity_only) linear = velocity_only(linear);
         if (linear.rational()) return is_stable(linear);
         // nothing is counted where a root lies on the axis within rounding
@@ -61,7 +61,7 @@ std::optional<bool> is_stable(const Joint& joint, Curve::Kind theory)
         const auto steady = possible_sliding(joint);
         if (steady.reason != Reason::none) return {};
         // of delayed loops a count of roots, where the growth is a search for one
-        const double side = real_side(joint, steady.velocity, theory == Curve::Kind::velocity_only);
+        const double side = real_side(joint, theory == Curve::Kind::velocity_only);
         if (std::isnan(side)) return {};
         return side < 0;
     }

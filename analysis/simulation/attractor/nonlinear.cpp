@@ -55,7 +55,7 @@ struct LinearSide {
 };
 LinearSide linear_side(const Joint& joint)
 {
-    LinearJoint linear = linear_joint(joint, steady_sliding(joint).velocity);
+    LinearJoint linear = linear_joint(joint, steady_sliding(joint).slides_at);
     LinearSide side{spectral_abscissa(linear)};
     linear.k_p *= another_gain;
     side.undamped = side.abscissa == 0 && spectral_abscissa(linear) == 0;

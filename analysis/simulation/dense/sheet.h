@@ -11,7 +11,7 @@ namespace stickslip::dense {
 
 /// What the linear theory and the joint say about the place of a row.
 struct Place {
-    double velocity = missing;    ///< V_0
+    double velocity = missing;    ///< of steady sliding
     double deflection = missing;  ///< |δ_ss|
     double growth = missing;      ///< of a small disturbance
     double peak = missing;        ///< of a small disturbance that decays, per deflection; not set: only motions show

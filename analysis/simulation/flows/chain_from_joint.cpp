@@ -16,7 +16,7 @@ ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
     if (result.reason != Reason::none) return result;
     const auto chain = chain_of(joint);
     flow.bodies = chain.bodies;
-    flow.V0 = std::abs(sliding.velocity);
+    flow.V0 = std::abs(sliding.slides_at);
     int next = 2 * chain.bodies;
     for (int i = 0; i < chain.bodies; ++i) {
         auto& b = flow.body[i];
@@ -27,7 +27,7 @@ ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
         // memory on top of delayed friction has states that nothing here follows
         if (b.delayed && (!with_delayed_friction || states(b.friction) > 0)) result.reason = Reason::unsupported;
         if (has_unsteady_terms(b.friction, joint.load)) result.reason = Reason::unsupported;
-        if (sliding.velocity < 0) b.friction.asymmetry.coulomb *= -1, b.friction.asymmetry.viscous *= -1;
+        if (sliding.slides_at < 0) b.friction.asymmetry.coulomb *= -1, b.friction.asymmetry.viscous *= -1;
         b.inertia = chain.body[i].inertia;
         b.ratio = chain.body[i].ratio;
         b.speed = chain.body[i].speed * flow.V0;
@@ -46,7 +46,7 @@ ChainOrReason chain_flow(const Joint& joint, bool with_delayed_friction)
         auto& b = flow.body[i];
         b.steady_friction = steady_force(b.friction, b.ratio * b.speed);
     }
-    flow.loop = linear_joint(joint, sliding.velocity);
+    flow.loop = linear_joint(joint, sliding.slides_at);
     for (int i = 0; i < chain.bodies; ++i) {
         auto& b = flow.body[i];
         const double V = b.ratio * b.speed;

@@ -169,12 +169,12 @@ SlidingOrReason sliding_flow(const Joint& joint)
     if (info(joint.friction.law).linear_only) result.reason = Reason::linear_only;
     if (result.reason != Reason::none) return result;
     flow.inertia = joint.mechanism.inertia;
-    const auto loop = linear_joint(joint, sliding.velocity);
+    const auto loop = linear_joint(joint, sliding.slides_at);
     flow.k_v = loop.k_v * loop.actuated[0];
     flow.k_p = loop.k_p * loop.actuated[0] + loop.contact[0];
     flow.friction = joint.friction;
-    flow.V0 = std::abs(sliding.velocity);
-    if (sliding.velocity < 0) {
+    flow.V0 = std::abs(sliding.slides_at);
+    if (sliding.slides_at < 0) {
         flow.friction.asymmetry.coulomb *= -1;
         flow.friction.asymmetry.viscous *= -1;
     }

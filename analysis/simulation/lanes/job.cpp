@@ -18,7 +18,7 @@ std::optional<Scaled> scaled(const Joint& joint)
     if (!law || !single(joint) || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     if (sliding.reason != Reason::none) return {};
-    const double A = joint.friction.normal_load * law->A, L = law->L[0], V0 = sliding.velocity;
+    const double A = joint.friction.normal_load * law->A, L = law->L[0], V0 = sliding.slides_at;
     const auto& control = joint.control;
     Scaled s{{rounded(control.k_p * L / A), rounded(joint.mechanism.inertia * V0 * V0 / (L * A)),
               rounded(law->B[0] / law->A), rounded(control.k_v * V0 / A), kind},

@@ -19,7 +19,7 @@ std::optional<StribeckScaled> stribeck_scaled(const Joint& joint)
     if (!law || (law->c4 != 1 && law->c4 != 2) || !single(joint) || !plain(joint.friction, joint.load)) return {};
     const auto sliding = steady_sliding(joint);
     const auto& control = joint.control;
-    const double m = joint.mechanism.inertia, V0 = sliding.velocity;
+    const double m = joint.mechanism.inertia, V0 = sliding.slides_at;
     if (sliding.reason != Reason::none || !(V0 > 0 && control.k_p > 0 && control.k_v >= 0)) return {};
     const double T = std::sqrt(m / control.k_p), load = joint.friction.normal_load, force = T / (m * V0);
     const int power = law->c4 == 2 ? 2 : 1;

@@ -83,7 +83,7 @@ std::optional<WatchedScaled> two_masses(const Joint& joint)
     if (both && motor->memory.kind != link->memory.kind) return {};
     const auto sliding = steady_sliding(joint);
     const Mass& first = link->memory.law ? *link : *motor;
-    const double V0 = sliding.velocity, per_inertia = V0 * V0 / (first.L * first.A);
+    const double V0 = sliding.slides_at, per_inertia = V0 * V0 / (first.L * first.A);
     WatchedScaled s{};
     s.length = first.L, s.velocity = V0, s.force = first.A, s.deflection = sliding.deflection;
     auto& g = s.groups;

@@ -17,7 +17,7 @@ namespace {
 WatchedScaled in_units(const Joint& joint, double length, double force)
 {
     const auto sliding = steady_sliding(joint);
-    const double V0 = sliding.velocity;
+    const double V0 = sliding.slides_at;
     WatchedScaled s;
     s.length = length, s.velocity = V0, s.force = force, s.deflection = sliding.deflection;
     s.groups.K = rounded(joint.control.k_p * length / force);
@@ -45,7 +45,7 @@ std::optional<WatchedScaled> bristles(const Joint& joint)
 {
     const auto* law = std::get_if<LuGre>(&joint.friction.law);
     if (!law) return {};
-    const double V0 = steady_sliding(joint).velocity, load = joint.friction.normal_load;
+    const double V0 = steady_sliding(joint).slides_at, load = joint.friction.normal_load;
     const double level = law->level(V0).value, speeds = V0 / law->stribeck_velocity;
     WatchedScaled s = in_units(joint, level / law->sigma0, load * level);
     s.groups.law = WatchedLaw::lugre;
@@ -151,7 +151,7 @@ std::optional<WatchedScaled> one_mass(const Joint& joint)
 std::optional<WatchedScaled> watched_scaled(const Joint& joint)
 {
     const auto sliding = steady_sliding(joint);
-    const bool forwards = sliding.reason == Reason::none && sliding.velocity > 0;
+    const bool forwards = sliding.reason == Reason::none && sliding.slides_at > 0;
     if (!forwards || !(joint.control.k_p > 0 && joint.control.k_v >= 0)) return {};
     const auto s = joint.mechanism.model == Model::single_mass ? one_mass(joint) : two_masses(joint);
     if (!s) return {};

@@ -26,7 +26,7 @@ std::complex<double> rate_of(const Joint& joint, double frame)
         SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
         if (loop.begin_steadily()) {
             const bool delayed = loop.motion.joint.has_delayed_friction();
-            const auto root = real_root(joint, commanded_velocity(joint));
+            const auto root = real_root(joint);
             const bool by_theory = delayed || leaves_within_tick(root, loop.period());
             const auto mode = by_theory ? mode_by_theory(root, loop.period()) : loop_mode(loop);
             if (mode.known() && std::abs(mode.rate()) > 0) return mode.rate();
@@ -76,7 +76,7 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
     if (const auto why = why_not_driven(joint); why != Detail::none) return refuse(Reason::unsupported, why);
     if (const auto why = why_not_disturbed(joint, question.disturbance.kind); why != Detail::none)
         return refuse(Reason::unsupported, why);
-    const double frame = V0 / joint.sensor.position_scale;
+    const double frame = sliding_velocity(joint);
     const auto s = rate_of(joint, frame);
     LoopOptions options;
     options.motion.rtol = question.rtol;

@@ -40,15 +40,15 @@ double total_backlash(const Joint& joint)
 
 /// How long a cycle may stand still: the spring winds up by what friction holds, from one side to the other and through
 /// the dead zone between them.
-double held_time(const Joint& joint, double V0)
+double held_time(const Joint& joint)
 {
     const Chain chain = chain_of(joint);
+    const double sliding = sliding_velocity(joint);
     double held = 0;
     for (int i = 0; i < chain.bodies; ++i) {
         const auto& b = chain.body[i];
-        held += b.ratio * std::max(static_force(*b.friction), std::abs(steady_force(*b.friction, b.velocity(V0))));
+        held += b.ratio * std::max(static_force(*b.friction), std::abs(steady_force(*b.friction, b.velocity(sliding))));
     }
-    const double sliding = V0 / joint.sensor.position_scale;
     const auto acts = actuation(joint, sliding, steady_effort(joint, sliding));
     const double stiffness = std::abs(joint.control.k_p * acts.gain * acts.scale);
     return 2 * (held / stiffness + joint.control.dead_zone / acts.scale) / std::abs(sliding);
@@ -71,7 +71,7 @@ bool chatters(const Joint& joint)
     if (!f.jumps()) return false;
     LoopOptions smooth;
     smooth.ideal_encoder = true;
-    const double frame = commanded_velocity(joint) / joint.sensor.position_scale;
+    const double frame = sliding_velocity(joint);
     SampledLoop loop(joint, frame, frame, LoopSide::joint, smooth);
     const double left = std::abs(f.push(0, loop.reference_velocity(), 1));
     if (loop.integrates()) return left > faded * std::abs(f.coulomb);
@@ -125,7 +125,7 @@ LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, Growt
         verdict_ = *refusal;
         return;
     }
-    const double frame = commanded_velocity(joint_) / joint_.sensor.position_scale;
+    const double frame = sliding_velocity(joint_);
     if (!find_mode(asked, frame, by)) return;
     const auto& sensor = joint_.sensor;
     LoopOptions real;
@@ -155,10 +155,9 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     linear.motion.set_fixed_step(fixed_part * linear.period());
     if (!linear.begin_steadily()) return refuse(Reason::no_steady_state, Detail::effort_limit);
     const bool delayed = linear.motion.joint.has_delayed_friction();
-    const double V0 = commanded_velocity(joint_);
     // the theory has no term for a push by the error
     const bool has_theory = delayed || !joint_.control.feed_forward.by_error();
-    const auto root = has_theory ? real_root(asked, V0) : std::complex<double>(missing, missing);
+    const auto root = has_theory ? real_root(asked) : std::complex<double>(missing, missing);
     const bool by_theory = delayed || leaves_within_tick(root, linear.period());
     mode_ = by_theory ? mode_by_theory(root, linear.period()) : loop_mode(linear);
     verdict_.growth_missing = mode_.why;
@@ -184,8 +183,8 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     options.winds = std::abs(gains_of(joint_.control).k_i / gains_of(joint_.control).k_p);
     // the slow mode of an integral does not turn, but the spring swings beside it
     options.turn = 2 * std::numbers::pi / (winds_up_slowly() ? spring_rate(joint_) : std::abs(s));
-    options.held = held_time(joint_, V0);
-    options.stays = low_limit_at_rest(joint_, V0 / joint_.sensor.position_scale).has_value();
+    options.held = held_time(joint_);
+    options.stays = low_limit_at_rest(joint_, frame).has_value();
     options.uneven = joint_.sensor.encoder_quantum > 0 || joint_.sensor.position_noise > 0;
     options.noise = noise();
     // slips swing at the spring's frequency however fast small motions grow

@@ -2,22 +2,23 @@
 
 #include "analysis/base/work_limits.h"
 #include "analysis/numerics/root.h"
+#include "analysis/simulation/set_point/start_search.h"
+
+#include <utility>
 
 namespace stickslip {
 namespace {
 
-constexpr int decades_below = 6, decades_above = 2;
+constexpr int decades_below = 6;
 constexpr double precision = 1e-10;
 constexpr double jump = 1e-6;  ///< a fixed point left by more than this share is a jump of the map, not a cycle
-
-constexpr double short_of_it = -50;  ///< of a slip that does not cross the set point: less than any that does
 
 /// ln of the next stop's distance per that of this one: 0 at a symmetric cycle. NaN where no slip follows.
 double growth(const Stop& stop, double a)
 {
     if (stop.end == Stop::End::settled) return short_of_it;
     if (stop.end != Stop::End::stop) return missing;
-    return stop.x > 0 ? std::max(std::log(stop.x / a), short_of_it) : short_of_it;
+    return growth_of_distance(stop.x, a);
 }
 
 /// Goes from stop to stop for some time; the largest distance of the last stops where they go on, 0 where they end.
@@ -54,59 +55,45 @@ SetPoint cycle_at(const StopToStop& motion, double a)
 
 SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone, int per_decade)
 {
-    SetPoint none;
-    none.method = SetPointMethod::event_driven;
-    none.hunting = Hunting::no;
     const double least = motion.least_start();
     if (least == infinity) {
+        SetPoint none;
+        none.method = SetPointMethod::event_driven;
+        none.hunting = Hunting::no;
         none.reason = SetPointReason::held;
         none.rest_error = infinity;
         return none;
     }
     // stops lie beyond the least start by distances of the order of the slips, however wide a dead zone is
-    const double low = std::max(natural * std::pow(10, -decades_below), least * precision);
-    const double high = std::max(natural, least) * std::pow(10, decades_above);
-    const int n = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
-    none.reason = least > dead_zone ? SetPointReason::held
-                  : dead_zone > 0   ? SetPointReason::dead_zone
-                                    : SetPointReason::slips_shrink;
-    none.rest_error = std::max(least, 0.0);
-    none.searched_from = least + low, none.searched_to = least + high;
-    none.starts = n + 1;
-    double largest = -infinity;
-    bool all_followed = true;
-    const auto grown = [&](double a) {
-        const auto stop = motion.slip_from(a);
-        all_followed = all_followed && stop.end != Stop::End::failure;
-        return growth(stop, a);
-    };
-    double outer = least + high, f_outer = grown(outer);
-    if (f_outer > 0) return none.reason = SetPointReason::loop_unstable, none;
-    for (int i = n - 1; i >= 0; --i) {
-        const double a = least + low * std::pow(high / low, static_cast<double>(i) / n);
-        const double f = grown(a);
-        largest = std::max({largest, f, f_outer});
-        if (f > 0 && f_outer <= 0) {
-            const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
-            const double found = bracketed_root(at, a, f, outer, f_outer, precision).value;
-            SetPoint s = cycle_at(motion, found);
-            s.method = SetPointMethod::event_driven;
-            s.rests_nearby = none.rest_error > 0;
-            if (std::abs(at(found)) < jump && std::abs(s.multiplier) < 1) return s;
-            if (const double swing = followed(motion, outer); swing > 0 && swing < infinity) {
-                s.asymmetric = true;
-                s.amplitude = swing;
-                s.slip_time = s.stick_time = s.period = s.multiplier = missing;
-                return s;
-            }
-            return none;
+    const Starts starts(least, std::max(natural * std::pow(10, -decades_below), least * precision), natural,
+                        per_decade);
+    auto none = no_cycle(starts, dead_zone, SetPointMethod::event_driven);
+    const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
+    double outer = missing, f_outer = missing;
+    const auto judged = [&](double a, double f) -> std::optional<SetPoint> {
+        const double from = std::exchange(outer, a), f_from = std::exchange(f_outer, f);
+        if (f > 0 && std::isnan(from)) return none.reason = SetPointReason::loop_unstable, none;
+        if (!(f > 0 && f_from <= 0)) return {};
+        const double found = bracketed_root(at, a, f, from, f_from, precision).value;
+        SetPoint s = cycle_at(motion, found);
+        s.method = SetPointMethod::event_driven;
+        s.rests_nearby = none.rest_error > 0;
+        if (std::abs(at(found)) < jump && std::abs(s.multiplier) < 1) return s;
+        if (const double swing = followed(motion, from); swing > 0 && swing < infinity) {
+            s.asymmetric = true;
+            s.amplitude = swing;
+            s.slip_time = s.stick_time = s.period = s.multiplier = missing;
+            return s;
         }
-        outer = a, f_outer = f;
-    }
-    // a slip of unknown end may be one of a cycle
-    if (!all_followed) none.hunting = Hunting::undecided, none.reason = SetPointReason::not_converged;
-    none.largest_ratio = std::exp(largest);
-    return none;
+        return none;
+    };
+    const auto slip_from = [&](double a) {
+        const auto stop = motion.slip_from(a);
+        return TriedStart{growth(stop, a), stop.end == Stop::End::failure};
+    };
+    none.starts = starts.last + 1;
+    const auto searched = search_starts(starts, slip_from, judged);
+    return searched.answer ? *searched.answer : no_cycle_found(none, searched);
 }
 
 SetPoint hunting_without_integral(const StopToStop& motion, double band)

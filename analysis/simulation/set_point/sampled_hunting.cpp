@@ -1,5 +1,7 @@
 #include "analysis/simulation/set_point/sampled_hunting.h"
 
+#include "analysis/simulation/set_point/start_search.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,8 +13,7 @@ namespace {
 
 using End = SampledStop::End;
 
-constexpr double decades_below = 3, decades_above = 2;
-constexpr double short_of_it = -50;             ///< ln of a ratio, of a slip that does not cross the set point
+constexpr double decades_below = 3;
 constexpr int watched = 20, most_watched = 20;  ///< stops that are compared, and how often
 constexpr double even = 0.01;                   ///< by which they may differ, per the largest: ticks account for it
 constexpr double shrinks = 0.8;  ///< to what share of itself this difference goes down while the cycle is approached
@@ -24,7 +25,7 @@ double growth(const SampledStop& stop, double x)
     if (stop.end == End::moves) return std::log(stop.x / std::abs(x));
     if (stop.end == End::runaway) return -short_of_it;
     if (stop.end != End::stop) return missing;
-    return stop.x * x < 0 ? std::max(std::log(std::abs(stop.x / x)), short_of_it) : short_of_it;
+    return growth_of_distance(x < 0 ? stop.x : -stop.x, std::abs(x));
 }
 
 double mean(const std::vector<double>& v)
@@ -74,53 +75,43 @@ SetPoint followed(const SampledStops& motion, double x)
 /// What starts on one side of the set point come to.
 SetPoint hunting_from(const SampledStops& motion, double side, double natural, double dead_zone, int per_decade)
 {
-    SetPoint none;
-    none.method = SetPointMethod::simulated;
-    none.hunting = Hunting::no;
     const double least = std::max(motion.least_start(side), motion.least_start(-side));
-    const double low = natural * std::pow(10, -decades_below);
-    const double high = std::max(natural, least) * std::pow(10, decades_above);
-    const int n = static_cast<int>(std::ceil(per_decade * std::log10(high / low)));
-    none.reason = least > dead_zone ? SetPointReason::held
-                  : dead_zone > 0   ? SetPointReason::dead_zone
-                                    : SetPointReason::slips_shrink;
-    none.rest_error = std::max(least, 0.0);
-    none.searched_from = least + low, none.searched_to = least + high;
-    double largest = -infinity, outer = missing;
-    bool all_followed = true, any = false, grows = false, held_beyond = false;
-    for (int i = n; i >= 0; --i) {
-        const double x = side * (least + low * std::pow(high / low, static_cast<double>(i) / n));
+    const Starts starts(least, natural * std::pow(10, -decades_below), natural, per_decade);
+    auto none = no_cycle(starts, dead_zone, SetPointMethod::simulated);
+    double outer = missing;  // the nearest start so far whose slips shrink
+    bool any = false, grows = false, held_beyond = false;
+    const auto slip_from = [&](double distance) {
+        const double x = side * distance;
         const auto stop = motion.slip_from(x);
         ++none.starts;
-        all_followed = all_followed && stop.end != End::failure;
         any = any || stop.end != End::held;
-        const double f = growth(stop, x);
-        largest = std::max(largest, f);
         held_beyond = held_beyond || (stop.end == End::held && std::isnan(outer));
-        if (f > 0 && std::isnan(outer)) {  // from so far away: limits let it wind up, or its cycle lies still further
-            grows = true;
-            continue;
+        return TriedStart{growth(stop, x), stop.end == End::failure};
+    };
+    const auto judged = [&](double distance, double f) -> std::optional<SetPoint> {
+        if (f <= 0) {
+            if (std::isnan(outer)) none.searched_to = distance;
+            outer = distance;
         }
-        if (f > 0) {
-            auto s = followed(motion, outer);
-            if (s.hunting == Hunting::no && !s.diverges()) {
-                s = followed(motion, x);  // a jump of the map lies between the two
-                if (s.hunting == Hunting::no && !s.diverges()) return none;
-            }
-            s.rests_nearby = s.hunting == Hunting::yes && none.rest_error > 0;
-            return s;
+        // from so far away: limits let it wind up, or its cycle lies still further
+        if (f > 0 && std::isnan(outer)) grows = true;
+        if (!(f > 0) || std::isnan(outer)) return {};
+        auto s = followed(motion, side * outer);
+        if (s.hunting == Hunting::no && !s.diverges()) {
+            s = followed(motion, side * distance);  // a jump of the map lies between the two
+            if (s.hunting == Hunting::no && !s.diverges()) return none;
         }
-        if (f <= 0 && std::isnan(outer)) none.searched_to = std::abs(x);
-        if (f <= 0) outer = x;
-    }
+        s.rests_nearby = s.hunting == Hunting::yes && none.rest_error > 0;
+        return s;
+    };
+    const auto searched = search_starts(starts, slip_from, judged);
+    if (searched.answer) return *searched.answer;
     if (std::isnan(outer) && grows && !held_beyond) return none.reason = SetPointReason::loop_unstable, none;
     if (!any || (std::isnan(outer) && grows)) {
         none.reason = SetPointReason::held, none.rest_error = infinity;
         return none;
     }
-    if (!all_followed) none.hunting = Hunting::undecided, none.reason = SetPointReason::not_converged;
-    none.largest_ratio = std::exp(largest);
-    return none;
+    return no_cycle_found(none, searched);
 }
 
 }  // namespace

@@ -36,6 +36,13 @@ Json point_json(const BoundaryPoint& p)
             {"evaluations", p.evaluations}};
 }
 
+Json stretches_json(const std::vector<ScanStretch>& stretches)
+{
+    Json json = Json::array();
+    for (const auto& s : stretches) json.push_back({s.low, s.high});
+    return json;
+}
+
 Json ray_json(const Joint& design, const LocatedRay& ray, const std::vector<IdleAxis>& idle)
 {
     Json json = {{"kind", name_of(ray.kind)}, {"axis", axis_json(ray.axis, units_of(design))}};
@@ -44,12 +51,16 @@ Json ray_json(const Joint& design, const LocatedRay& ray, const std::vector<Idle
     json["evaluations"] = ray.evaluations;
     json["scanned"] = {{"points", ray.nodes},
                        {"undecided", ray.undecided},
+                       {"without_verdict", stretches_json(ray.without_verdict)},
                        {"stable_share", ray.stable_share},
                        {"neutral_share", ray.neutral_share}};
     if (ray.outside) {
         const auto& nearest = ray.outside->nearest;
         json["outside"] = {{"from", ray.outside->low},
                            {"to", ray.outside->high},
+                           {"points", ray.outside->nodes},
+                           {"undecided", ray.outside->undecided},
+                           {"without_verdict", stretches_json(ray.outside->without_verdict)},
                            {"nearest", nearest ? point_json(*nearest) : Json(nullptr)}};
     }
     json["could_be_missed"] = could_be_missed(ray);

@@ -13,7 +13,8 @@ void fields(A& a, Like<Interval> auto& v)
 template <class A>
 void fields(A& a, Like<SteadySliding> auto& v)
 {
-    a("velocity", v.velocity), a("friction", v.friction), a("deflection", v.deflection), a("reason", v.reason);
+    a("velocity", v.velocity), a("slides_at", v.slides_at), a("friction", v.friction);
+    a("deflection", v.deflection), a("reason", v.reason);
 }
 
 template <class A>
@@ -48,9 +49,15 @@ void fields(A& a, Like<UnusedTerm> auto& v)
 }
 
 template <class A>
+void fields(A& a, Like<GearSide> auto& v)
+{
+    a("ratio", v.ratio), a("gain", v.gain);
+}
+
+template <class A>
 void fields(A& a, Like<LoopUse> auto& v)
 {
-    a("kind", v.kind), a("used", v.used), a("not_used", v.not_used);
+    a("kind", v.kind), a("used", v.used), a("not_used", v.not_used), a("gear", v.gear);
 }
 
 template <class A>

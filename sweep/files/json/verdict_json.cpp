@@ -1,6 +1,7 @@
 #include "sweep/files/json/verdict_json.h"
 
 #include "sweep/words/loop_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/reason_text.h"
 #include "sweep/words/study_text.h"
 
@@ -82,7 +83,14 @@ Json loop_json(const LoopUse& loop, const std::optional<LeftOut>& left_out)
         ideal = {{"kind", kind_name(left_out->loop.kind)},
                  {"keys", left_out->loop.used},
                  {"spectral_abscissa", json_number(left_out->growth)}};
-    return {{"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}, {"left_out", ideal}};
+    Json gear = nullptr;
+    if (loop.gear.between())
+        gear = {{"ratio", loop.gear.ratio},
+                {"counted_at", "joint"},
+                {"k_p_per_record", loop.gear.gain},
+                {"text", plain_text(side_text(loop.gear, false))}};
+    return {
+        {"kind", kind_name(loop.kind)}, {"used", loop.used}, {"not_used", unused}, {"gear", gear}, {"left_out", ideal}};
 }
 
 Json idle_json(const std::vector<IdleAxis>& idle)
@@ -118,6 +126,7 @@ Json verdict_json(const LinearVerdict& verdict)
     const auto& steady = verdict.steady;
     Json json = {{"steady",
                   {{"velocity", json_number(steady.velocity)},
+                   {"slides_at", json_number(steady.slides_at)},
                    {"friction", json_number(steady.friction)},
                    {"deflection", json_number(steady.deflection)}}},
                  {"loop", loop_json(verdict.loop)}};

@@ -46,6 +46,15 @@ void LineStream::fill()
                        (code == Z_ERRNO ? "" : " (" + why + ")"));
     finished_ = got == 0;
     end_ += static_cast<std::size_t>(got);
+    if (line_number_ == 0) learn_line_end();
+}
+
+void LineStream::learn_line_end()
+{
+    const std::string_view known(buffer_.data(), end_);
+    const auto mark = known.find('\r');
+    const bool mac = mark < known.size() && (mark + 1 < known.size() || finished_) && known.find('\n') == known.npos;
+    line_end_ = mac ? '\r' : '\n';
 }
 
 void LineStream::verify_archive()
@@ -66,7 +75,7 @@ bool LineStream::next(std::string_view& line)
 {
     while (true) {
         const char* from = buffer_.data() + begin_;
-        const void* stop = std::memchr(from, '\n', end_ - begin_);
+        const void* stop = std::memchr(from, line_end_, end_ - begin_);
         if (!stop && end_ - begin_ > longest_line)
             throw BadInput(name_ + ":" + std::to_string(line_number_ + 1) +
                            ":1: the line is longer than 1 MiB, this is no table of numbers");

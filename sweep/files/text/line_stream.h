@@ -34,6 +34,8 @@ class LineStream {
         void operator()(gzFile_s* file) const;
     };
     void fill();
+    /// A file without a single \n, as spreadsheets of old Macs write it, has \r between its lines.
+    void learn_line_end();
 
     std::string name_;
     std::unique_ptr<gzFile_s, Close> file_;
@@ -41,6 +43,7 @@ class LineStream {
     std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer is not yet returned
     std::uint64_t line_number_ = 0;
     bool finished_ = false;
+    char line_end_ = '\n';
 };
 
 }  // namespace stickslip::files

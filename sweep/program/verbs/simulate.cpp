@@ -21,6 +21,7 @@
 #include "sweep/report/pages/record_report.h"
 #include "sweep/report/pages/trajectory_report.h"
 #include "sweep/report/write_report.h"
+#include "sweep/study/loop_growth.h"
 #include "sweep/study/motion_curves.h"
 #include "sweep/words/detail_text.h"
 #include "sweep/words/loop_text.h"
@@ -44,6 +45,7 @@ struct Options {
     SurroundingsOption surroundings;
     double tolerance = 1e-8;
     std::string reference;
+    double effort = 1;
     bool ideal_loop = false;
 };
 
@@ -103,6 +105,12 @@ void tell_measures(const MotionMeasures& m, Units units, const std::filesystem::
     tell("stairs at:", m.stair_rate, Quantity::rate);
 }
 
+/// Of a simulation that could not go on.
+void tell_end(double time, const std::string& why)
+{
+    fmt::print("it ends at {}: {}\n", plain_text(with_unit(time, Quantity::time, {}, 6)), why);
+}
+
 /// Of a motion about steady sliding, whose positions count from the steady path.
 MotionMeasures measured(const Trajectory& trajectory, double velocity)
 {
@@ -125,15 +133,18 @@ int record_joint(const Options& options, const Invocation& invocation)
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
-    if (const auto side = side_text(joint, true); !side.empty()) fmt::print("{}\n", plain_text(side));
+    if (const auto side = side_text(gear_side(joint), true); !side.empty()) fmt::print("{}\n", plain_text(side));
     tell_measures(measure_motion(record.time, record.reference_position, record.position), units_of(joint),
                   options.directory);
+    const auto unstable = unstable_loop(joint, record);
+    const auto loop = unstable ? unstable_loop_text(*unstable, units_of(joint)) : std::string();
+    if (unstable) fmt::print("{}\n", plain_text(loop));
     auto report = record_report(joint, {record.time, record.reference_position, record.position, record.effort_command,
-                                        record.effort_measured, detail_text(record.why)});
+                                        record.effort_measured, detail_text(record.why), loop});
     report.provenance = {{"version", program_version()}, {"command", invocation.command}};
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     if (record.reason == Reason::none) return exit_done;
-    fmt::print("it ends at {} s: {}\n", record.time.back(), detail_text(record.why));
+    tell_end(record.time.back(), detail_text(record.why));
     return exit_undecided;
 }
 
@@ -151,6 +162,7 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     NonlinearOptions outcome;
     outcome.disturbance = simulation.disturbance;
     outcome.rtol = simulation.rtol;
+    outcome.effort = options.effort;
     const auto verdict = nonlinear_verdict(joint, outcome);
     simulation.cycle_period = verdict.period;
     const auto trajectory = simulate(joint, simulation);
@@ -161,10 +173,10 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n",
                write_trajectory(joint, trajectory, curves.control_force, options.directory).string());
-    tell_measures(measured(trajectory, commanded_velocity(joint)), units_of(joint), options.directory);
+    tell_measures(measured(trajectory, sliding_velocity(joint)), units_of(joint), options.directory);
     fmt::print("report:     {}\n", write_report(report, options.directory).string());
     if (trajectory.reason == Reason::none) return exit_done;
-    fmt::print("it ends at {} s: {}\n", trajectory.time.back(), plain_text(stop_text(trajectory)));
+    tell_end(trajectory.time.back(), plain_text(stop_text(trajectory)));
     return exit_undecided;
 }
 
@@ -190,6 +202,9 @@ void add_simulate(CommandLine& line, Invocation& invocation)
         ->check(existing_file());
     verb.add_flag("--ideal-loop", options->ideal_loop,
                   "the paper's loop: no sampling, dead time, filter, lag or integral");
+    verb.add_option("--effort", options->effort,
+                    "multiple of the usual work that the search for where the motion ends may take")
+        ->check(positive_number());
     verb.add_option("--tolerance", options->tolerance, "relative tolerance")
         ->check(between(1e-13, 1e-2))
         ->capture_default_str();

@@ -65,7 +65,8 @@ Report margins_report(const MarginsAnswer& a)
                                                      : Headline::Tone::good;
     report.tone = without_what_matters(report.tone, a.loop);
     tell_idle(a.idle, false, report);
-    if (only_idle(a) && report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
+    if (a.worst && only_idle(a.idle, a.uncertainty) && report.tone == Headline::Tone::good)
+        report.tone = Headline::Tone::warning;
     if (a.left_out) {
         tell_left_out(*a.left_out, a.nearest.stable, report);
         report.verdict = of_ideal_loop(report.verdict);

@@ -89,6 +89,7 @@ Report record_report(const Joint& joint, const FollowedReference& r)
     report.subtitle = gains_text(joint);
     report.verdict = "The position stays within " + with_unit(largest(error), Quantity::position, units) +
                      " of the reference over " + with_unit(r.time.back(), Quantity::time, units) + ".";
+    if (!r.loop.empty()) report.alerts.push_back({Headline::Tone::bad, r.loop});
     if (!r.ends_early.empty())
         report.alerts.push_back({Headline::Tone::warning, "The simulation ends early: " + r.ends_early + "."});
     Section section{"motion", "Motion", "", {position_figure(r, error, units)}, {}};

@@ -12,6 +12,7 @@ namespace stickslip {
 struct FollowedReference {
     std::vector<double> time, reference_position, position, effort_command, effort_measured;
     std::string ends_early;  ///< why; empty where it does not
+    std::string loop = {};   ///< what is wrong with the loop, as a sentence; empty: nothing
 };
 
 Report record_report(const Joint& joint, const FollowedReference& record);

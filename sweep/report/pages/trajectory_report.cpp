@@ -1,5 +1,6 @@
 #include "sweep/report/pages/trajectory_report.h"
 
+#include "analysis/joint/commanded_velocity.h"
 #include "analysis/results/text.h"
 #include "analysis/stability/linear_joint.h"
 #include "sweep/report/figures/line_figure.h"
@@ -90,11 +91,11 @@ LineChart::Line linear_line(const ForcedResponse& linear, const Trajectory& t)
 }
 
 /// Reference and position themselves; the control force below where it is known.
-Figure path_figure(const Trajectory& t, const std::vector<double>& force, Units units)
+Figure path_figure(const Trajectory& t, double slides_at, const std::vector<double>& force, Units units)
 {
     std::vector<double> reference, position;
     for (std::size_t i = 0; i < t.time.size(); ++i) {
-        reference.push_back(t.commanded_velocity * t.time[i]);
+        reference.push_back(slides_at * t.time[i]);
         position.push_back(reference.back() + t.position[i]);
     }
     auto chart = detailed(
@@ -194,7 +195,7 @@ Report trajectory_report(const Joint& joint, const Trajectory& t, const Nonlinea
     section.figures.push_back(line_figure(
         "position", std::move(in_time), "Position of the link beyond its steady path.",
         "In the last third it stays " + range(settled(curves, t.position), Quantity::position, units) + "."));
-    section.figures.push_back(path_figure(t, curves.control_force, units));
+    section.figures.push_back(path_figure(t, sliding_velocity(joint), curves.control_force, units));
     section.figures.push_back(
         line_figure("phase",
                     chart_of("Phase portrait", position, velocity,

@@ -133,7 +133,7 @@ inline std::string contradiction_of_growth(const Joint& joint, const LinearVerdi
     options.duration = folds / rate;
     const auto path = simulate(joint, options);
     if (path.reason != Reason::none || path.time.size() < 10) return "";
-    const double velocity = sliding_velocity(joint, path.commanded_velocity);
+    const double velocity = sliding_velocity(joint);
     const double before = largest_deviation(path, velocity, 0.3, 0.6),
                  after = largest_deviation(path, velocity, 0.7, 1);
     const double noise = 1e-7 * std::abs(velocity);
@@ -146,13 +146,12 @@ inline std::string contradiction_of_growth(const Joint& joint, const LinearVerdi
 inline std::string contradiction_of_end(const Joint& joint, const NonlinearVerdict& verdict)
 {
     if (verdict.reason != Reason::none || verdict.outcome == Outcome::linear_only) return "";
-    const double velocity = sliding_velocity(joint, commanded_velocity(joint)), V0 = std::abs(velocity);
+    const double velocity = sliding_velocity(joint), V0 = std::abs(velocity);
     const double k_p = std::abs(joint.control.k_p);
     SimulateOptions options;
     options.disturbance = verdict.disturbance;
     // a spring that is pulled to either side of its dead zone, three times over, and what small motions take to fade
-    const double wound =
-        2 * (std::abs(steady_effort(joint, commanded_velocity(joint))) / k_p + joint.control.dead_zone);
+    const double wound = 2 * (std::abs(steady_effort(joint, velocity)) / k_p + joint.control.dead_zone);
     const double cycle = is_set(verdict.period) ? verdict.period : 0;
     options.duration = 6 * wound / V0 + 30 * cycle + 15 / std::abs(verdict.growth_rate);
     if (!std::isfinite(options.duration)) return "";

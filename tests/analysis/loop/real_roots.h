@@ -28,7 +28,7 @@ struct LateLoop {
     double scale, push, tau, delay, lag;
 
     explicit LateLoop(const Joint& j)
-        : mechanism(linear_joint(j, sliding_velocity(j, commanded_velocity(j)))),
+        : mechanism(linear_joint(j, sliding_velocity(j))),
           g{j.control.k_p, j.control.k_v, j.control.k_i, 0},
           scale(j.sensor.position_scale),
           push(j.actuator.effort_gain),
@@ -122,7 +122,7 @@ inline std::string contradiction_of_roots(const Joint& joint, RootsSeen& seen)
     const auto verdict = linear_verdict(joint);
     const auto& memory = verdict.state_variable;
     if (kind == LoopKind::ideal || verdict.steady.reason != Reason::none || memory.eigenvalues.empty()) return "";
-    const auto linear = linear_joint(joint, sliding_velocity(joint, commanded_velocity(joint)));
+    const auto linear = linear_joint(joint, sliding_velocity(joint));
     const bool sampled = kind == LoopKind::sampled;
     if (sampled && !linear.rational()) return "";
     double size = 0;  // of the fastest: a slow root has the rounding of its size

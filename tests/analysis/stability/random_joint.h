@@ -101,7 +101,7 @@ inline std::string contradiction(const Joint& joint)
     if (verdict.steady.reason != Reason::none)
         return std::isnan(growth_rate(joint)) || verdict.steady.reason == Reason::not_finite ? ""
                                                                                              : "growth without verdict";
-    const auto linear = linear_joint(joint, verdict.steady.velocity);
+    const auto linear = linear_joint(joint, verdict.steady.slides_at);
     const double abscissa = memory.spectral_abscissa;
     if (memory.stable != (abscissa < 0) || memory.neutral != (abscissa == 0)) return "verdict and abscissa";
     const double growth = growth_rate(joint);

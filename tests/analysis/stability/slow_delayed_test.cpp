@@ -38,7 +38,7 @@ Joint mass_with_delayed_damping()
 
 RealLoop loop_of(const Joint& joint)
 {
-    const double velocity = sliding_velocity(joint, commanded_velocity(joint));
+    const double velocity = sliding_velocity(joint);
     const auto loop = real_loop(joint, linear_joint(joint, velocity), velocity, TurnedGain::k_p);
     REQUIRE(loop);
     REQUIRE(std::holds_alternative<DelayedLoop>(loop->loop));

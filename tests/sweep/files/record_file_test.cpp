@@ -28,11 +28,15 @@ TEST_CASE("a plain record, its gaps and its columns that nobody reads")
     CHECK(warnings[2] == "effort_command: 1 of 3 cells are missing");
 }
 
-TEST_CASE("gzip, semicolons and tabs, no end of the last line")
+TEST_CASE("gzip, semicolons and tabs, other line ends, no end of the last line")
 {
     CHECK(read(gzipped("time,position\n0,1\n1,2")).record.position == std::vector<double>{1, 2});
     CHECK(read("time;position\n0;1\n1;2\n").record.position == std::vector<double>{1, 2});
     CHECK(read("time\tposition\n0\t1\n1\t2\n").record.position == std::vector<double>{1, 2});
+    // of an old Mac, plain and packed: a line ends in \r alone
+    CHECK(read("time,position\r0,1\r1,2\r").record.position == std::vector<double>{1, 2});
+    CHECK(read("# rig 7\r\rtime,position\r0,1\r1,2").record.position == std::vector<double>{1, 2});
+    CHECK(read(gzipped("time,position\r0,1\r1,2\r")).record.position == std::vector<double>{1, 2});
     const auto hint = read("time,position,velocty\n0,1,2\n").warnings;
     CHECK(hint.at(0) == "columns that are not read: velocty (did you mean \"velocity\"?)");
 }

@@ -16,8 +16,8 @@ namespace stickslip {
 
 /// One friction a body, for the models with several.
 struct BodyFrictions {
-    Friction motor, transmission, link;
-    bool has_transmission = false;  ///< set by the model: only three-mass and lever have a middle body
+    Friction motor, transmission, link;  ///< on each body, the motor's at the motor's side of its gear
+    bool has_transmission = false;       ///< set by the model: only three-mass and lever have a middle body
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -28,16 +28,17 @@ struct BodyFrictions {
     }
 };
 
+/// One joint: mechanism, loop, friction and what acts on it, in SI.
 struct Joint {
-    Mechanism mechanism;
-    Load load;
-    Control control;
-    OneMassFriction friction;  ///< single-mass
-    BodyFrictions frictions;   ///< the other models
-    Actuator actuator;
-    Sensor sensor;
-    NormalLoad normal;
-    ShortList<Neighbour, max_neighbours> neighbour;
+    Mechanism mechanism;                             ///< bodies and what connects them
+    Load load;                                       ///< what acts on the link
+    Control control;                                 ///< the loop and its command
+    OneMassFriction friction;                        ///< single-mass
+    BodyFrictions frictions;                         ///< the other models
+    Actuator actuator;                               ///< from the command to the effort
+    Sensor sensor;                                   ///< what the encoder adds
+    NormalLoad normal;                               ///< a normal force that moves with the joint
+    ShortList<Neighbour, max_neighbours> neighbour;  ///< joints that the mass matrix couples to this one
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -58,7 +59,7 @@ struct Joint {
         visit.rows("neighbour", "joints that the mass matrix couples to this one", self.neighbour);
     }
 
-    /// Of the whole loop: what goes round it is late by all delays together, wherever they arise.
+    /// Dead time of the whole loop [s]: what goes round it is late by all delays together, wherever they arise.
     double dead_time() const { return control.delay + sensor.delay; }
 
     /// The dead time is one that a sampled loop can remember, springs that harden carry a steady effort, a normal

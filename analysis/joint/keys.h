@@ -8,20 +8,21 @@
 
 namespace stickslip {
 
+/// What stands behind a key.
 enum class KeyKind { number, numbers, flag, choice, text };
 
 /// One key as the given joint has it. Which keys there are depends on its model, laws and kinds.
 struct Key {
     std::string path;  ///< "control.k_p"; of a list "friction.B"; of row 2 of a list "friction.elements.1.yield"
-    KeyKind kind = KeyKind::number;
+    KeyKind kind = KeyKind::number;        ///< a number, a list, true or false, one of `words`, or text
     Quantity quantity = Quantity::number;  ///< of numbers; its unit follows from it
     Range range;                           ///< of numbers, in SI
-    Need need = Need::optional;
-    std::string help;                ///< half a sentence
-    std::vector<std::string> words;  ///< what a choice allows
-    std::string value;               ///< as a file would have it, without quotes; empty: not set
-    std::string standard;            ///< the same of a joint where nothing was said; empty: there is none
-    bool in_row = false;             ///< stands in a table of a list, [[…]]
+    Need need = Need::optional;            ///< a required key has no default
+    std::string help;                      ///< half a sentence
+    std::vector<std::string> words;        ///< what a choice allows
+    std::string value;                     ///< as a file would have it, without quotes; empty: not set
+    std::string standard;                  ///< the same of a joint where nothing was said; empty: there is none
+    bool in_row = false;                   ///< stands in a table of a list, [[…]]
 
     /// Whether the key changes anything: a key at its default could as well be absent.
     bool in_force() const { return value != standard; }

@@ -34,10 +34,11 @@ Quantity quantity_of(const Joint& joint, std::string_view path);
 /// A table of samples that a law takes from a file: `name` is the file as it stands in joint.toml (empty: none),
 /// the reader of files fills `table`. check() complains about a named table that was not filled.
 struct TableSlot {
-    std::string path;  ///< of the key that names the file
-    const std::string* name = nullptr;
-    KernelTablePtr* table = nullptr;
+    std::string path;                   ///< of the key that names the file
+    const std::string* name = nullptr;  ///< of the file, in the joint that was walked; empty: none
+    KernelTablePtr* table = nullptr;    ///< where its samples go, in the same joint
 };
+/// Every such table of the joint, pointing into it.
 std::vector<TableSlot> tables(Joint& joint);
 
 /// Every path whose spelling comes close to the given one, nearest first, at most three.
@@ -45,8 +46,8 @@ std::vector<std::string> nearest_names(std::string_view given, const std::vector
 
 /// What is wrong with a value: where, and in words what was given and what is allowed.
 struct Problem {
-    std::string path;  ///< of the key
-    std::string message;
+    std::string path;     ///< of the key
+    std::string message;  ///< got …, expected …
 };
 
 /// Everything that forbids using this joint: missing numbers, values outside their range, lists of unequal length.

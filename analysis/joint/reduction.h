@@ -12,8 +12,8 @@ namespace stickslip {
 /// The friction of a body that has become part of another one, where both together have no single law. It acts beside
 /// that body's own: f += turns · friction(turns · V), turns being its displacement per that of the body.
 struct JoinedFriction {
-    Friction friction;  ///< as on the body that it was on
-    double turns = 1;
+    Friction friction;    ///< as on the body that it was on
+    double turns = 1;     ///< its displacement per that of the body that it joined
     bool on_link = true;  ///< otherwise on the motor
 };
 

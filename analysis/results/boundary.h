@@ -19,6 +19,7 @@ enum class BoundaryKind {
     outcome,         ///< the stated disturbance ends in steady sliding
     hunting          ///< a set point is hunted about
 };
+/// All of them, in the order of the enum.
 inline constexpr BoundaryKind boundary_kinds[] = {BoundaryKind::velocity_only, BoundaryKind::state_variable,
                                                   BoundaryKind::v_min,         BoundaryKind::fold,
                                                   BoundaryKind::outcome,       BoundaryKind::hunting};
@@ -38,6 +39,7 @@ enum class LocationMethod {
     bisection,      ///< only the side is known
     shooting        ///< closed orbits whose Floquet multiplier is one
 };
+/// "interpolation", "bisection", "shooting".
 std::string_view name_of(LocationMethod method);
 
 /// One located point of a boundary along one parameter. The true crossing lies within [low, high].
@@ -45,9 +47,10 @@ struct BoundaryPoint {
     double value = 0, low = 0, high = 0;  ///< of the parameter, and its bracket, in SI
     int direction = 0;       ///< +1: turns unstable as the parameter rises; −1: turns stable; 0: not known
     bool converged = false;  ///< false: the bracket is wider than requested
-    int evaluations = 0;
+    int evaluations = 0;     ///< joints that were judged to find it
     LocationMethod method = LocationMethod::interpolation;  ///< how the bracket was narrowed
 
+    /// Width of the bracket per |value|; where the value is 0, the width itself.
     double precision() const { return value != 0 ? (high - low) / (value < 0 ? -value : value) : high - low; }
 };
 
@@ -66,6 +69,7 @@ enum class CurveEnd {
     vanished,   ///< limit cycles shrink to nothing: the fold meets the linear boundary
     lost        ///< could not be followed further
 };
+/// "closed", "border", "undecided", "vanished", "lost".
 std::string_view name_of(CurveEnd end);
 
 /// One connected piece of a boundary.
@@ -83,7 +87,7 @@ struct CurveGuard {
     int climbed = 0;      ///< nodes from which the nearest extremum was searched for islands between nodes
     int islands = 0;      ///< found that way
     double cell = 0;      ///< side of a cell as a share of an axis: closed pieces smaller than that can be missed
-    int evaluations = 0;
+    int evaluations = 0;  ///< joints that were judged for it
 };
 
 /// What lies beyond the ends of a range that holds no boundary.
@@ -94,16 +98,16 @@ struct OutsideOfRay {
 
 /// Every boundary of one kind along an axis.
 struct LocatedRay {
-    BoundaryKind kind = BoundaryKind::state_variable;
-    Axis axis;                          ///< values: only the ends
-    std::vector<BoundaryPoint> points;  ///< rising; empty: there is no boundary
-    int nodes = 0;                      ///< of the scan
-    int undecided = 0;                  ///< of them without a verdict
-    Reason reason = Reason::none;       ///< why the first of these, or a value within a bracket, has none
-    int climbed = 0;                    ///< extrema between nodes that were searched for a pair of boundaries
-    int evaluations = 0;
-    double stable_share = 0;   ///< of the scanned nodes: without a boundary, 1 if all are stable, 0 if none
-    double neutral_share = 0;  ///< of the scanned nodes: a root on the imaginary axis
+    BoundaryKind kind = BoundaryKind::state_variable;  ///< what lies on its two sides
+    Axis axis;                                         ///< values: only the ends
+    std::vector<BoundaryPoint> points;                 ///< rising; empty: there is no boundary
+    int nodes = 0;                                     ///< of the scan
+    int undecided = 0;                                 ///< of them without a verdict
+    Reason reason = Reason::none;  ///< why the first of these, or a value within a bracket, has none
+    int climbed = 0;               ///< extrema between nodes that were searched for a pair of boundaries
+    int evaluations = 0;           ///< joints that were judged
+    double stable_share = 0;       ///< of the scanned nodes: without a boundary, 1 if all are stable, 0 if none
+    double neutral_share = 0;      ///< of the scanned nodes: a root on the imaginary axis
     /// Folds found by simulation alone: as a share of the range, the widest strip of cycles beside a linear boundary
     /// that the scan does not exclude; 0 where the branch of cycles is followed from there.
     double narrowest_strip = 0;
@@ -112,15 +116,15 @@ struct LocatedRay {
 
 /// A boundary followed over a chart.
 struct FollowedBoundary {
-    BoundaryKind kind = BoundaryKind::state_variable;
-    Axis x, y;                       ///< values: only the ends
-    std::vector<CurvePiece> pieces;  ///< connected ones; empty: no boundary was met
-    CurveGuard guard;                ///< what says that no piece was missed
-    bool by_sides = false;           ///< folds found by simulation
-    int evaluations = 0;             ///< all, guard included
+    BoundaryKind kind = BoundaryKind::state_variable;  ///< what lies on its two sides
+    Axis x, y;                                         ///< values: only the ends
+    std::vector<CurvePiece> pieces;                    ///< connected ones; empty: no boundary was met
+    CurveGuard guard;                                  ///< what says that no piece was missed
+    bool by_sides = false;                             ///< folds found by simulation
+    int evaluations = 0;                               ///< all, guard included
 
-    int points() const;
-    double precision() const;  ///< the coarsest of its points
+    int points() const;        ///< of all pieces together
+    double precision() const;  ///< relative width of the widest bracket of its points
 };
 
 /// The same as a chart draws it.
@@ -151,7 +155,7 @@ struct NearestBoundary {
     double distance = missing;
     std::vector<NearestMove> moves;  ///< of all coordinates at once, onto the boundary
     std::vector<double> direction;   ///< unit vector in the same coordinates
-    int evaluations = 0;
+    int evaluations = 0;             ///< joints that were judged
 };
 
 }  // namespace stickslip

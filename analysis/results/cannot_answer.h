@@ -52,10 +52,10 @@ class CannotAnswer : public std::invalid_argument {
     {
     }
 
-    Why why;
-    std::string about;  ///< the record, the table or its row; empty: the joint
-    std::string name;
-    std::vector<double> values;
+    Why why;                     ///< the code of the reason
+    std::string about;           ///< the record, the table or its row; empty: the joint
+    std::string name;            ///< of the column or the path that the reason is about; empty where it has none
+    std::vector<double> values;  ///< numbers of the reason, as listed at its code
 
     /// "force-loop": what what() holds for a program, after `about`.
     static std::string_view name_of(Why why);

@@ -14,6 +14,8 @@
 
 namespace stickslip {
 
+/// Whether model and records differ by more than noise, and whether that is explained: `gap` a cause was found,
+/// `no_gap` within noise, `unknown` no cause of the catalogue, `insufficient_data` the records do not decide.
 enum class Verdict { gap, no_gap, unknown, insufficient_data };
 
 /// "gap", "no-gap", "unknown" or "insufficient-data".
@@ -31,24 +33,26 @@ inline std::string name_of(Verdict v)
     }
 }
 
+/// 95 % unless said otherwise; NaN: none is known.
 struct ConfidenceInterval {
-    double low = missing, high = missing;  ///< in the unit of the number that it is of
+    double low = missing, high = missing;  ///< in the unit of its number
 };
 
 /// A part of the whole: where along the chain, or in which regime, the gap lies.
 struct Share {
-    std::string name;  ///< of a signal or a regime
-    double share = 0;  ///< within [0, 1]
-    ConfidenceInterval interval;
-    double rms = 0, floor = 0;  ///< in `unit`; regimes: in multiples of the prediction floor
-    std::string unit;           ///< of rms and floor
+    std::string name;             ///< of a signal or a regime
+    double share = 0;             ///< within [0, 1]
+    ConfidenceInterval interval;  ///< of the share, bootstrap
+    double rms = 0, floor = 0;    ///< in `unit`; regimes: in multiples of the prediction floor
+    std::string unit;             ///< of rms and floor
 };
 
+/// A number of an effect as it was fitted.
 struct FittedParameter {
-    std::string name;  ///< "stribeck.c2"
-    double value = 0;
+    std::string name;                 ///< effect and number: "stribeck.c2"
+    double value = 0;                 ///< in `unit`
     double standard_error = missing;  ///< in `unit`
-    std::string unit;
+    std::string unit;                 ///< as printed: "N·m"; "1" for a ratio
 };
 
 /// Whether the parameter is one of the effect of this name: the part before its first dot.
@@ -59,11 +63,11 @@ inline bool is_of(const FittedParameter& parameter, std::string_view effect)
 
 /// A number of the joint with a cause in it, as a data sheet has it: the level of one direction, not half a difference.
 struct SheetValue {
-    std::string name;  ///< "Coulomb level, positive direction"
-    double value = 0;
+    std::string name;             ///< "Coulomb level, positive direction"
+    double value = 0;             ///< in `unit`
     ConfidenceInterval interval;  ///< 95 %
-    std::string unit;
-    bool pinned = false;  ///< the interval is narrower than the number is large: the records say what it is
+    std::string unit;             ///< of value and interval
+    bool pinned = false;          ///< the interval is narrower than the number is large: the records say what it is
 };
 
 /// One cause, or a few that act together, with its rank by position.
@@ -85,41 +89,42 @@ struct Cause {
 
 /// One cause of the ladder, given those above it and with the nuisance parameters refitted on both sides.
 struct LadderRung {
-    std::vector<std::string> names;  ///< one, or the audit's findings together
-    double share = 0;                ///< of the gap's held-out squares beyond the noise
-    ConfidenceInterval interval;     ///< bootstrap over the held-out windows
-    std::vector<FittedParameter> parameters;
-    std::vector<std::vector<std::string>> ambiguous_with;
-    double probability = 0;
+    std::vector<std::string> names;                        ///< one, or the audit's findings together
+    double share = 0;                                      ///< of the gap's held-out squares beyond the noise
+    ConfidenceInterval interval;                           ///< bootstrap over the held-out windows
+    std::vector<FittedParameter> parameters;               ///< of its effects
+    std::vector<std::vector<std::string>> ambiguous_with;  ///< causes that explain the same share as well
+    double probability = 0;                                ///< that it acts, within [0, 1]
 };
 
 /// A number of the document that was refitted beside the causes: no cause, but worth correcting.
 struct Correction {
-    std::string name;  ///< "viscous"
-    FittedParameter number;
-    double prior = 0;  ///< standard deviation of what documents usually say, in the number's unit
+    std::string name;        ///< "viscous"
+    FittedParameter number;  ///< as refitted
+    double prior = 0;        ///< standard deviation of what documents usually say, in the number's unit
 };
 
 /// What any model of the joint's own signals could explain of the gap on unseen data.
 struct ExplainableShare {
-    double share = 0;
-    ConfidenceInterval interval;
+    double share = 0;                     ///< of the gap's held-out squares beyond the noise, within [0, 1]
+    ConfidenceInterval interval;          ///< of the share, 95 %
     std::vector<std::string> depends_on;  ///< signals on which what the corrected joint lacks depends, strongest first
 };
 
 /// What the ladder leaves, and the signals that it still depends on, strongest first.
 struct Remainder {
-    double share = 0;
+    double share = 0;                    ///< of the gap's held-out squares beyond the noise
     std::vector<std::string> structure;  ///< names of these signals
 };
 
 /// RMS difference between measured and simulated signals over held-out records.
 struct SignalGap {
-    std::string signal, unit;
+    std::string signal, unit;  ///< the column, and the unit of the numbers below
     double before = 0, after = 0, floor = 0,
            explained = 0;  ///< in `unit`; explained: share of squares beyond the floor
 };
 
+/// RMS difference of all signals together, each per its noise floor.
 struct OverallGap {
     double before = 0, after = 0, floor = 0, explained = 0;  ///< in multiples of the noise floor
     ConfidenceInterval interval;                             ///< of explained
@@ -134,15 +139,16 @@ struct OverallGap {
         const double was = before * before - floor * floor, is = after * after - noise() * noise();
         return is <= 0 ? 0 : is <= was ? is / was : std::numeric_limits<double>::infinity();
     }
+    /// Whether the gap is larger with the cause than without.
     bool worse() const { return left() > 1; }
 };
 
 /// The force that drives the joint, low-passed, against what the model requires along the measured motion: RMS over
 /// held-out data with the nuisance parameters refitted, without and with the first cause. corner 0: not judged.
 struct DriveForceGap {
-    std::string unit;
-    double corner = 0;  ///< Hz
-    double before = 0, after = 0;
+    std::string unit;              ///< of before and after: "N" or "N·m"
+    double corner = 0;             ///< of the low-pass filter [Hz]
+    double before = 0, after = 0;  ///< RMS without and with the first cause, in `unit`
 };
 
 /// The motion along which two causes differ most.
@@ -158,20 +164,22 @@ enum class TestMotion {
     rig_hold,         ///< at rest between two slides
 };
 
+/// The motion that separates the causes that the records could not.
 struct NextExperiment {
     TestMotion motion = TestMotion::none;                        ///< none: nothing is left to distinguish
     std::vector<std::pair<std::string, std::string>> separates;  ///< two causes each
     double distance = 0;                  ///< difference of the two predictions, in noise standard deviations
-    std::vector<double> time, reference;  ///< the motion itself
+    std::vector<double> time, reference;  ///< the motion itself: s, [m | rad]
 };
 
+/// What a record was used for.
 struct RecordRole {
-    std::string file, role;  ///< held-out: every record is, in its turn
+    std::string file, role;  ///< its name, and "held-out": every record is, in its turn
 };
 
 /// A part of a long record that fits used.
 struct FittedStretch {
-    std::string file;
+    std::string file;         ///< the record
     double from = 0, to = 0;  ///< s
 };
 
@@ -183,13 +191,13 @@ struct FittedRows {
 
 /// Traces of one record for the page: measured, and simulated before and after.
 struct DiagnosedTrace {
-    std::string file;
+    std::string file;                                   ///< the record
     std::vector<double> time, measured, before, after;  ///< s; the others in the unit of what was measured
-    std::vector<double> effort_measured, effort_before, effort_after;
+    std::vector<double> effort_measured, effort_before, effort_after;  ///< in `effort_unit`, row by row
     enum class Effort { measured, command, friction_of_rig };
     Effort effort = Effort::command;  ///< what the efforts are
     bool predicted = false;           ///< along the measured motion by a slow observer: no loop could be simulated
-    std::string effort_unit;
+    std::string effort_unit;          ///< of the three efforts
 };
 
 /// Everything that the report and diagnosis.json say. Boundary numbers are added by who can compute maps.
@@ -197,25 +205,26 @@ struct Diagnosis {
     Verdict verdict = Verdict::insufficient_data;  ///< whether there is a gap, and whether it is explained
     std::vector<Note> reasons;                     ///< of the verdict
     bool interrupted = false;                      ///< on request: what was found until then stands here
-    std::vector<RecordRole> records;
-    FittedRows rows;                      ///< of long records
-    std::vector<Share> signals, regimes;  ///< where along the chain and in which motion the gap lies
-    std::vector<Cause> effects;           ///< most probable first
-    std::vector<std::vector<std::string>> ambiguous_with;
-    std::optional<CauseSet> set;  ///< where a guarantee was requested
-    NextExperiment next_experiment;
-    std::vector<SignalGap> gap;
-    OverallGap overall;
-    DriveForceGap drive_force;
+    std::vector<RecordRole> records;               ///< in the order given
+    FittedRows rows;                               ///< of long records
+    std::vector<Share> signals, regimes;           ///< where along the chain and in which motion the gap lies
+    std::vector<Cause> effects;                    ///< most probable first
+    std::vector<std::vector<std::string>>
+        ambiguous_with;                   ///< causes that the records cannot distinguish from the first
+    std::optional<CauseSet> set;          ///< where a guarantee was requested
+    NextExperiment next_experiment;       ///< what would separate them
+    std::vector<SignalGap> gap;           ///< signal by signal
+    OverallGap overall;                   ///< all signals together
+    DriveForceGap drive_force;            ///< judged apart from the signals
     std::vector<LadderRung> ladder;       ///< causes that act together, each given those above it
     std::vector<Correction> corrections;  ///< of documented numbers
     double corrected_share = 0;           ///< of the gap, that the corrections take
-    ExplainableShare ceiling;
-    Remainder remainder;                 ///< what the best cause leaves of the gap
-    std::vector<Note> notes;             ///< what else a user should know
-    std::vector<DiagnosedTrace> traces;  ///< one a record
-    Motion motion = Motion::prismatic;
-    double usual_speed = 0;  ///< 95th percentile of |velocity| in the records
+    ExplainableShare ceiling;             ///< the most that any model could explain
+    Remainder remainder;                  ///< what the best cause leaves of the gap
+    std::vector<Note> notes;              ///< what else a user should know
+    std::vector<DiagnosedTrace> traces;   ///< one a record
+    Motion motion = Motion::prismatic;    ///< of the joint: metres or radians
+    double usual_speed = 0;               ///< 95th percentile of |velocity| in the records [m/s | rad/s]
 };
 
 /// That none of the listed causes is it: with their probabilities it makes one. NaN where none is listed.

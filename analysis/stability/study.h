@@ -11,24 +11,26 @@ namespace stickslip {
 
 /// Armstrong's ramps at the joint's own rate of force.
 struct ForceRamp {
-    double rate = missing;                                ///< (k_p + k_c) V_0
-    std::vector<Interval> velocity_only, state_variable;  ///< stable k_p at that rate
+    double rate = missing;                                ///< of the force: (k_p + k_c) V_0 [N/s | N·m/s]
+    std::vector<Interval> velocity_only, state_variable;  ///< stable k_p at that rate [N/m | N·m/rad]
 };
 
+/// Margins, velocity windows, reductions and noise of one joint.
 struct LinearStudy {
-    double compliance = missing;  ///< |X/D|(0): lasting displacement per lasting force on the link
-    ResponsePeak peak{missing, missing};
-    LoopMargins margins{missing, missing, missing, missing};
-    Interval velocities{missing, missing};  ///< searched for stable_velocities; NaN: known_at_one_velocity
-    StableVelocities velocity_only, state_variable;
+    /// |X/D|(0): lasting displacement per lasting force on the link [m/N | rad/(N·m)].
+    double compliance = missing;
+    ResponsePeak peak{missing, missing};                      ///< of |X/D| over frequency
+    LoopMargins margins{missing, missing, missing, missing};  ///< of the loop opened at the controller
+    Interval velocities{missing, missing};           ///< searched for stable_velocities; NaN: known_at_one_velocity
+    StableVelocities velocity_only, state_variable;  ///< stable velocities by either theory
     int velocities_looked_at = 0;         ///< by stable_velocities: two changes between neighbours are not seen
-    std::optional<RangeGain> range_gain;  ///< k_v for every velocity up to the highest searched
-    Comparison comparison;
+    std::optional<RangeGain> range_gain;  ///< k_v for every velocity up to the highest searched [N·s/m | N·m·s/rad]
+    Comparison comparison;                ///< of the theories' limits
     double velocity_noise = missing;  ///< σ_v/σ_x = √2/T of a differenced position, where the loop has a sample time
     GainMix mix;                      ///< for velocity_noise
     bool mix_searched = true;         ///< false: takes more than the usual effort
     std::optional<ForceRamp> ramp;    ///< force control
-    std::vector<ReductionStudy> reductions;
+    std::vector<ReductionStudy> reductions;  ///< how far each smaller model is off
 };
 
 /// Whether the joint's sampled loop is judged by its characteristic function, because of many dead ticks or of delayed

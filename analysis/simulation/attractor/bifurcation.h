@@ -10,7 +10,7 @@ namespace stickslip {
 /// The Hopf point of a flow at its critical gain. Near it an amplitude r of ln V (of V/V_0 for laws that may rest)
 /// obeys ṙ = σ(k_p) r + lyapunov · r³: negative is supercritical, cycles are born where steady sliding is unstable.
 struct HopfPoint {
-    double k_p = missing;
+    double k_p = missing;       ///< critical gain k_cr [N/m | N·m/rad]
     double omega = missing;     ///< rad/s, of the small orbit
     double lyapunov = missing;  ///< Re c_1 for that scaling of the critical eigenvector [1/s]
     FlowVector direction;       ///< y − y_ss at the largest position of a small orbit, per unit of position
@@ -24,8 +24,8 @@ HopfPoint hopf_point(const Flow& flow);
 /// A limit cycle of given amplitude and the gain that it needs: amplitude, unlike the gain, does not turn back at a
 /// fold.
 struct BranchPoint {
-    double k_p = missing;
-    FlowVector start;  ///< on the section, at the largest position
+    double k_p = missing;  ///< gain with which the cycle exists [N/m | N·m/rad]
+    FlowVector start;      ///< on the section, at the largest position
 };
 
 /// The cycle whose largest position is start[0], by Newton in the states and the gain from the guess given.

@@ -4,22 +4,32 @@
 
 namespace stickslip {
 
-/// What the joint is commanded to do, row by row [reading units]; `velocity` and `feed_forward` may be empty:
-/// the velocity is then that of the positions at the ticks (reference_rates).
+/// What the joint is commanded to do, row by row, as its controller has it: positions in what the encoder reads.
 struct ReferenceMotion {
-    std::vector<double> time, position, velocity, feed_forward;
+    std::vector<double> time;          ///< s, rising
+    std::vector<double> position;      ///< m | rad
+    std::vector<double> velocity;      ///< m/s | rad/s; empty: that of the positions at the ticks (reference_rates)
+    std::vector<double> feed_forward;  ///< what is added to the command, in its unit; empty: nothing
 };
 
 /// The columns of a record, one row a tick; of a continuous loop, one row a row of the reference.
 struct LoopRecord {
-    std::vector<double> time, reference_position, reference_velocity, position, velocity, effort_command,
-        effort_measured, feed_forward;
-    Reason reason = Reason::none;  ///< why it is empty or ends early
-    Detail why = Detail::none;     ///< the same more closely, where more is known
+    std::vector<double> time;                ///< s
+    std::vector<double> reference_position;  ///< m | rad
+    std::vector<double> reference_velocity;  ///< m/s | rad/s
+    std::vector<double> position;            ///< m | rad, as the encoder reads it
+    std::vector<double> velocity;            ///< m/s | rad/s, as the controller estimates it
+    std::vector<double> effort_command;      ///< what the controller puts out: N | N·m, V or duty
+    std::vector<double> effort_measured;     ///< what reached the mechanism after that command [N | N·m]
+    std::vector<double> feed_forward;        ///< as in the reference; empty where that has none
+    Reason reason = Reason::none;            ///< why it is empty or ends early
+    Detail why = Detail::none;               ///< the same more closely, where more is known
 };
 
 /// Starts at rest where the reference starts, or, under a law that cannot rest, sliding as the reference does. `seed` 0
-/// gives a record without noise.
+/// gives a record without noise; `rtol` is the relative tolerance of the solver. A joint that cannot be driven along
+/// the reference gives an empty record with the reason (without control.period also where its rows are not even);
+/// columns of the reference have equal lengths, which the caller checks. Throws nothing.
 LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol = 1e-8);
 
 }  // namespace stickslip

@@ -107,3 +107,51 @@ def library(root):
             if comment:
                 text += f"\n{comment}\n"
     return text
+
+
+def members(lines):
+    """(declaration, whether a /// describes it) of every member of a struct but constructors, operators and begin() and end()."""
+    statement, depth, commented, above = "", 0, False, False
+    text = "\n".join(lines)
+    head = re.match(r"(?:template\s*<[^>]*>\s*)?(?:struct|class)\s+\w+[^;{]*\{", text)
+    if not head:
+        return
+    for line in text[head.end():].splitlines():
+        code = without_strings(line)
+        if depth == 0 and re.match(r"\s*(?:private|protected):", line):
+            return
+        if not statement and line.strip().startswith("///"):
+            above = True
+            continue
+        if not statement and not code.strip():
+            above = above and bool(line.strip())
+            continue
+        statement += " " + code.strip()
+        commented = commented or above or "///" in line
+        depth += code.count("{") - code.count("}")
+        parens = statement.count("(") - statement.count(")")
+        if depth < 0:
+            return
+        if depth == 0 and parens == 0 and re.search(r"[;}]\s*$", code):
+            usual = re.search(r"\bfields\(|\boperator|\b(?:begin|end)\(|= default;|^ (?:static |explicit |constexpr )*[A-Z]\w*\(|^ enum\b", statement)
+            if not usual:
+                yield statement.strip(), commented
+            statement, commented, above = "", False, False
+
+
+def undocumented_in(text):
+    """Declarations at the level of a namespace, and members of structs, that no `///` describes."""
+    found = []
+    for comment, lines in declarations("#pragma once\n" + text.split("#pragma once")[-1]):
+        first = " ".join(line.strip() for line in lines)
+        if re.match(r"(?:template\s*<[^>]*>\s*)?(?:struct|class|enum class) \w+;$", first):
+            continue
+        if not comment and "///" not in lines[0]:
+            found.append(first.split("{")[0].strip())
+        found += [f"{first.split('{')[0].strip()}: {what}" for what, described in members(lines) if not described]
+    return found
+
+
+def undocumented(root):
+    """(public header, declaration) of what a caller can use and no `///` describes."""
+    return [(header, what) for header, targets in headers(root) for target in targets for what in undocumented_in(target)]

@@ -14,7 +14,9 @@
 
 namespace stickslip {
 
+/// The value of a number that was not given: NaN. Test it by is_set.
 inline constexpr double not_set = std::numeric_limits<double>::quiet_NaN();
+/// False for NaN.
 inline bool is_set(double value)
 {
     return !std::isnan(value);
@@ -22,11 +24,12 @@ inline bool is_set(double value)
 
 /// The values that a number may take. An open end excludes the bound itself.
 struct Range {
-    double low = -std::numeric_limits<double>::infinity();  ///< in the unit of the number
-    double high = std::numeric_limits<double>::infinity();
-    bool low_open = true, high_open = true;  ///< the bound itself is excluded
-    bool whole = false;                      ///< whole numbers only
+    double low = -std::numeric_limits<double>::infinity();  ///< least value, in the unit of the number
+    double high = std::numeric_limits<double>::infinity();  ///< greatest value, in the same unit
+    bool low_open = true, high_open = true;                 ///< the bound itself is excluded
+    bool whole = false;                                     ///< whole numbers only
 
+    /// Whether a value lies in the range; NaN does not.
     constexpr bool holds(double v) const
     {
         return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high) &&
@@ -34,13 +37,20 @@ struct Range {
     }
 };
 
+/// A limit that does not exist: an effort without a limit, an interval without an end.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Every finite number.
 inline constexpr Range any_finite{};
+/// > 0.
 inline constexpr Range positive{0, infinity, true, true};
+/// ≥ 0.
 inline constexpr Range not_negative{0, infinity, false, true};
+/// Within [0, 1), and within [0, 1].
 inline constexpr Range below_one{0, 1, false, true}, part_of_one{0, 1, false, false};
+/// A whole number from 1 to 10⁹.
 inline constexpr Range whole_positive{1, 1e9, false, false, true};
 
+/// Whether a number has a default.
 enum class Need { required, optional };
 
 /// What a number is to those that move numbers of a joint about, whatever its path. Numbers of a friction law are `law`
@@ -86,10 +96,12 @@ struct ShortList {
     T* end() { return values.data() + size; }
     const T* begin() const { return values.data(); }
     const T* end() const { return values.data() + size; }
+    /// Appends one; the caller keeps size below max_size.
     void push_back(const T& v) { values[static_cast<std::size_t>(size++)] = v; }
 };
 
 inline constexpr int max_states = 8;  ///< states of one friction law
+/// Numbers of a law with one for each of its states.
 using NumberList = ShortList<double, max_states>;
 
 /// One name of a choice, as it stands in a file.

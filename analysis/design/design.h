@@ -11,8 +11,10 @@
 
 namespace stickslip {
 
+/// Which noise the best gains make least: that of the link's motion, or that of the effort.
 enum class DesignObjective { motion, effort };
 
+/// What a pair of gains must meet, and what is made least among those that do.
 struct Requirements {
     SensorNoise noise;                                    ///< that the gains let through
     DesignObjective objective = DesignObjective::motion;  ///< which noise is made least
@@ -22,13 +24,16 @@ struct Requirements {
     double effort_limit = infinity;     ///< of the peak effort [N | N·m]
     double noise_multiple = 3;          ///< of the effort noise that counts towards the limit
     std::vector<Coordinate> uncertain;  ///< whose distance the margin is; empty: the friction's
-    double k_p_low = not_set, k_p_high = not_set, k_v_low = 0, k_v_high = not_set;  ///< not set: three decades around
+    double k_p_low = not_set, k_p_high = not_set, k_v_low = 0, k_v_high = not_set;  ///< not set: see gain_range
     double front_points = 12;                                                       ///< points of the Pareto front
 };
 
-/// What the joint itself says of them: noise and steps of its encoder, its sample time, filter and limits. Without an
-/// encoder's noise and a period, neither noise nor sample time.
+/// The requirements that the joint's description implies: noise and steps of its encoder, its sample time, filter and
+/// limits. Without an encoder's noise and a period, neither noise nor sample time.
 Requirements requirements_of(const Joint& joint);
+
+/// Called at the start of each stage of a design, from the calling thread.
+using DesignListener = std::function<void(DesignStage)>;
 
 /// Minimises the cost over (k_p, k_v): NLopt's DIRECT-L over the whole range, then COBYLA under the constraints. The
 /// front asks for each margin in turn. Velocity-only thinking solves the same problem with steady-state friction, and
@@ -36,7 +41,6 @@ Requirements requirements_of(const Joint& joint);
 /// time, empty ranges).
 /// Real loops and delayed friction are searched by fewer gains (search_effort() multiplies them), each judged
 /// along the directions that were found to be near.
-using DesignListener = std::function<void(DesignStage)>;
 GainDesign design_gains(const Joint& joint, const Requirements& requirements, const ParallelFor& parallel,
                         const DesignListener& listener = {});
 
@@ -44,6 +48,7 @@ GainDesign design_gains(const Joint& joint, const Requirements& requirements, co
 struct GainRange {
     Interval k_p, k_v;  ///< [N/m | N·m/rad], [N·s/m | N·m·s/rad]
 };
+/// The range of the requirements. Unset: k_p within three decades of the joint's own, k_v up to 30 times its damping.
 GainRange gain_range(const Joint& joint, const Requirements& requirements);
 
 }  // namespace stickslip

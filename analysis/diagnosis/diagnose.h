@@ -14,6 +14,7 @@ namespace stickslip::gap {
 /// Thrown by tasks that are to stop; diagnose() then gives back what it has found.
 struct Interrupted : std::exception {};
 
+/// How much a diagnosis computes, and who hears of its progress.
 struct DiagnosisOptions {
     std::size_t pair_partners = 3;  ///< how many of the best singles look for a partner
     int ensemble = 10;              ///< noisy runs behind before, after and floor

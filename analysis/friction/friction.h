@@ -33,8 +33,10 @@ struct PositionRipple {
     double amplitude = 0, periods = 1, phase = 0;   ///< [N | N·m], n [1/m | 1/rad], rad
     double second_amplitude = 0, second_phase = 0;  ///< [N | N·m], rad
 
+    /// Whether there is any ripple.
     bool acts() const { return amplitude != 0 || second_amplitude != 0; }
-    double by_place(double q) const;  ///< slope over the position
+    double by_place(double q) const;  ///< slope over the position [N/m | N·m/rad]
+    /// A bound of |by_place|.
     double steepest() const { return std::abs(amplitude * periods) + 2 * std::abs(second_amplitude * periods); }
 
     template <class Self, class Visitor>
@@ -81,7 +83,9 @@ struct FrictionDrift {
 /// what the load resists): `forward` where the drive moves the load, `backward` where the load moves the drive. Their
 /// efficiencies are 1/(1 + forward) and 1 − backward.
 struct GearLoss {
-    double forward = 0, backward = 0, beyond = 1;  ///< plain numbers, as their keys say below
+    double forward = 0,
+           backward = 0;  ///< friction per effort that reaches the load, driving and driven; below 1 driven
+    double beyond = 1;    ///< part of the inertia on the load's side of the gear, within [0, 1]
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -97,6 +101,7 @@ struct GearLoss {
                      self.beyond);
     }
 
+    /// Whether the gear has any friction.
     bool acts() const { return forward != 0 || backward != 0; }
 
     /// Friction where the load resists with `load` and everything but friction pushes with `net`, in motion along
@@ -116,7 +121,7 @@ struct GearLoss {
 /// Presliding under a static law: what the law resists apart from viscous friction is carried by bristles, in the form
 /// of LuGre (bristle_response).
 struct Bristle {
-    double stiffness = 0, damping = 0;  ///< stiffness 0: none
+    double stiffness = 0, damping = 0;  ///< [N/m | N·m/rad], [N·s/m | N·m·s/rad]; stiffness 0: none
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -128,9 +133,10 @@ struct Bristle {
 };
 
 /// Memory on top of a law f: A asinh(V/(2V*) e^{(|f| + θ)/A}), away from rest f + (A ln(|V|/V*) + θ) sgn V, with one
-/// state after the slip law, (5), or the ageing law. With A = 0: f + θ sgn V. And, apart from it, a lag with which a
-/// static law's level, or all of it, follows the speed: g(s) in place of g(|V|), ṡ = (|V| − s)/lag. The simulation of
-/// a record has the logarithmic form with |V| held above V*/1000, so that the joint can stick.
+/// state after the slip law, θ̇ = −(|V|/L)(θ + B ln(|V|/V*)), (5), or the ageing law. With A = 0: f + θ sgn V. And,
+/// apart from it, a lag with which a static law's level, or all of it, follows the speed: g(s) in place of g(|V|), ṡ =
+/// (|V| − s)/lag. The simulation of a record has the logarithmic form with |V| held above V*/1000, so that the joint
+/// can stick.
 struct Memory {
     double A = 0, B = 0, L = 1e-5, V_star = 1e-3;  ///< [N | N·m] twice, [m | rad], [m/s | rad/s]
     double lag = 0;                                ///< s
@@ -195,8 +201,11 @@ struct Friction {
 
     /// Whether its level changes with place, time or effort.
     bool level_moves() const { return load_coefficient != 0 || gear.acts() || ripple.acts() || drift.change != 0; }
+    /// Whether presliding is modelled.
     bool has_bristle() const { return bristle.stiffness > 0; }
+    /// Whether it has rate-and-state memory on top of the law.
     bool has_memory() const { return memory.A != 0 || memory.B != 0; }
+    /// Whether friction follows the speed late.
     bool has_lag() const { return memory.lag > 0; }
 
     /// What ranges cannot say: bristles need a level that they carry, and the states must find room.
@@ -216,14 +225,17 @@ struct OneMassFriction : Friction {
     }
 };
 
-// The friction of one body as one law: the calls of the concept (response.h) with every term included that depends on
-// neither position, time nor load. The states of the law come first, then the lagged speed, then the state of the
-// bristles or of the memory, each where the body has it.
+/// The friction of one body as one law: the calls of the concept (response.h) with every term included that depends on
+/// neither position, time nor load. How many states it has: those of the law come first, then the lagged speed, then
+/// the state of the bristles or of the memory, each where the body has it. None of these calls throws.
 int states(const Friction& friction);
+/// f_ss(V) [N | N·m], the friction of steady sliding at V [m/s | rad/s].
 double steady_force(const Friction& friction, double V);
+/// The states of steady sliding at V, each in the unit of its law.
 States steady_state(const Friction& friction, double V);
+/// Force, derivatives and rates of the states at this velocity and these states. Needs has_response().
 FrictionResponse respond(const Friction& friction, double V, const States& theta);
-/// Set-valued at rest: the largest force at V = 0.
+/// Set-valued at rest: the largest force at V = 0 [N | N·m].
 double static_force(const Friction& friction);
 
 /// Bristles under a level that itself has a memory have coupled states, for which no response in this form exists.

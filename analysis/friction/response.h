@@ -25,15 +25,16 @@
 
 namespace stickslip {
 
+/// One number for each state; those beyond states() are 0.
 using States = std::array<double, max_states>;
 
-/// (2)-(3) at one instant: f, ∂f/∂V at constant state, and for each state θ_i: ∂f/∂θ_i, θ̇_i, ∂θ̇_i/∂V, ∂θ̇_i/∂θ_i.
-/// In every law here a state evolves by itself (∂θ̇_i/∂θ_j = 0 for i ≠ j).
+/// f(V, θ) and θ̇ = h(V, θ), (2)-(3), at one instant: f, ∂f/∂V at constant state, and for each state θ_i: ∂f/∂θ_i, θ̇_i,
+/// ∂θ̇_i/∂V, ∂θ̇_i/∂θ_i. In every law here a state evolves by itself (∂θ̇_i/∂θ_j = 0 for i ≠ j).
 struct FrictionResponse {
     double force = 0;           ///< f [N | N·m]
     double by_velocity = 0;     ///< ∂f/∂V [N·s/m | N·m·s/rad]
-    States by_state{};          ///< ∂f/∂θ_i
-    States rate{};              ///< θ̇_i
+    States by_state{};          ///< ∂f/∂θ_i [effort per the unit of θ_i]
+    States rate{};              ///< θ̇_i [unit of θ_i per s]
     States rate_by_velocity{};  ///< ∂θ̇_i/∂V
     States rate_by_state{};     ///< ∂θ̇_i/∂θ_i [1/s]
 };
@@ -67,6 +68,7 @@ struct Delay {
 };
 
 inline constexpr int max_delays = 8;  ///< of one body's friction
+/// The delays of one law.
 using DelayList = ShortList<Delay, max_delays>;
 
 /// What a law is, for `list laws`, for the generic property test, and for the choice of solver.

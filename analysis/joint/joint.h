@@ -28,6 +28,7 @@ struct BodyFrictions {
     }
 };
 
+/// One joint: mechanism, loop, friction and what acts on it, in SI.
 struct Joint {
     Mechanism mechanism;                             ///< bodies and what connects them
     Load load;                                       ///< what acts on the link
@@ -58,7 +59,7 @@ struct Joint {
         visit.rows("neighbour", "joints that the mass matrix couples to this one", self.neighbour);
     }
 
-    /// Of the whole loop: what goes round it is late by all delays together, wherever they arise.
+    /// Dead time of the whole loop [s]: what goes round it is late by all delays together, wherever they arise.
     double dead_time() const { return control.delay + sensor.delay; }
 
     /// The dead time is one that a sampled loop can remember, springs that harden carry a steady effort, a normal

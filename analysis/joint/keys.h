@@ -8,6 +8,7 @@
 
 namespace stickslip {
 
+/// What stands behind a key.
 enum class KeyKind { number, numbers, flag, choice, text };
 
 /// One key as the given joint has it. Which keys there are depends on its model, laws and kinds.

@@ -38,6 +38,7 @@ struct TableSlot {
     const std::string* name = nullptr;  ///< of the file, as the joint has it
     KernelTablePtr* table = nullptr;    ///< where what the file holds goes
 };
+/// Every such table of the joint, pointing into it.
 std::vector<TableSlot> tables(Joint& joint);
 
 /// Every path whose spelling comes close to the given one, nearest first, at most three.

@@ -19,6 +19,7 @@ enum class BoundaryKind {
     outcome,         ///< the stated disturbance ends in steady sliding
     hunting          ///< a set point is hunted about
 };
+/// All of them, in the order of the enum.
 inline constexpr BoundaryKind boundary_kinds[] = {BoundaryKind::velocity_only, BoundaryKind::state_variable,
                                                   BoundaryKind::v_min,         BoundaryKind::fold,
                                                   BoundaryKind::outcome,       BoundaryKind::hunting};
@@ -38,6 +39,7 @@ enum class LocationMethod {
     bisection,      ///< only the side is known
     shooting        ///< closed orbits whose Floquet multiplier is one
 };
+/// "interpolation", "bisection", "shooting".
 std::string_view name_of(LocationMethod method);
 
 /// One located point of a boundary along one parameter. The true crossing lies within [low, high].
@@ -48,6 +50,7 @@ struct BoundaryPoint {
     int evaluations = 0;     ///< verdicts that it took
     LocationMethod method = LocationMethod::interpolation;  ///< how the bracket was narrowed
 
+    /// Width of the bracket per |value|; where the value is 0, the width itself.
     double precision() const { return value != 0 ? (high - low) / (value < 0 ? -value : value) : high - low; }
 };
 
@@ -66,6 +69,7 @@ enum class CurveEnd {
     vanished,   ///< limit cycles shrink to nothing: the fold meets the linear boundary
     lost        ///< could not be followed further
 };
+/// "closed", "border", "undecided", "vanished", "lost".
 std::string_view name_of(CurveEnd end);
 
 /// One connected piece of a boundary.
@@ -128,8 +132,8 @@ struct FollowedBoundary {
     bool by_sides = false;                             ///< folds found by simulation
     int evaluations = 0;                               ///< all, guard included
 
-    int points() const;
-    double precision() const;  ///< the coarsest of its points
+    int points() const;        ///< of all pieces together
+    double precision() const;  ///< relative width of the widest bracket of its points
 };
 
 /// The same as a chart draws it.

@@ -14,6 +14,8 @@
 
 namespace stickslip {
 
+/// Whether model and records differ by more than noise, and whether that is explained: `gap` a cause was found,
+/// `no_gap` within noise, `unknown` no cause of the catalogue, `insufficient_data` the records do not decide.
 enum class Verdict { gap, no_gap, unknown, insufficient_data };
 
 /// "gap", "no-gap", "unknown" or "insufficient-data".
@@ -31,8 +33,9 @@ inline std::string name_of(Verdict v)
     }
 }
 
+/// 95 % unless said otherwise; NaN: none is known.
 struct ConfidenceInterval {
-    double low = missing, high = missing;  ///< in the unit of the number that it is of
+    double low = missing, high = missing;  ///< in the unit of its number
 };
 
 /// A part of the whole: where along the chain, or in which regime, the gap lies.
@@ -44,6 +47,7 @@ struct Share {
     std::string unit;             ///< of rms and floor
 };
 
+/// A number of an effect as it was fitted.
 struct FittedParameter {
     std::string name;                 ///< "stribeck.c2"
     double value = 0;                 ///< in `unit`
@@ -96,9 +100,9 @@ struct LadderRung {
 
 /// A number of the document that was refitted beside the causes: no cause, but worth correcting.
 struct Correction {
-    std::string name;  ///< "viscous"
-    FittedParameter number;
-    double prior = 0;  ///< standard deviation of what documents usually say, in the number's unit
+    std::string name;        ///< "viscous"
+    FittedParameter number;  ///< as refitted
+    double prior = 0;        ///< standard deviation of what documents usually say, in the number's unit
 };
 
 /// What any model of the joint's own signals could explain of the gap on unseen data.
@@ -121,6 +125,7 @@ struct SignalGap {
            explained = 0;  ///< in `unit`; explained: share of squares beyond the floor
 };
 
+/// RMS difference of all signals together, each per its noise floor.
 struct OverallGap {
     double before = 0, after = 0, floor = 0, explained = 0;  ///< in multiples of the noise floor
     ConfidenceInterval interval;                             ///< of explained
@@ -135,6 +140,7 @@ struct OverallGap {
         const double was = before * before - floor * floor, is = after * after - noise() * noise();
         return is <= 0 ? 0 : is <= was ? is / was : std::numeric_limits<double>::infinity();
     }
+    /// Whether the gap is larger with the cause than without.
     bool worse() const { return left() > 1; }
 };
 
@@ -159,15 +165,17 @@ enum class TestMotion {
     rig_hold,         ///< at rest between two slides
 };
 
+/// The motion that separates the causes that the records could not.
 struct NextExperiment {
     TestMotion motion = TestMotion::none;                        ///< none: nothing is left to distinguish
     std::vector<std::pair<std::string, std::string>> separates;  ///< two causes each
     double distance = 0;                  ///< difference of the two predictions, in noise standard deviations
-    std::vector<double> time, reference;  ///< the motion itself
+    std::vector<double> time, reference;  ///< the motion itself: s, [m | rad]
 };
 
+/// What a record was used for.
 struct RecordRole {
-    std::string file, role;  ///< held-out: every record is, in its turn
+    std::string file, role;  ///< its name, and "held-out": every record is, in its turn
 };
 
 /// A part of a long record that fits used.

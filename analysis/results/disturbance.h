@@ -16,12 +16,14 @@ enum class DisturbanceKind {
     start      ///< steady sliding at a share [1] of V_0, from which V_0 is commanded; 0: from rest
 };
 
+/// A disturbance of steady sliding: of which kind, and how large.
 struct Disturbance {
     DisturbanceKind kind = DisturbanceKind::position;  ///< what is offset
     double size =
         missing;  ///< in the unit of its kind; not set: small_disturbance · V_0/|s|, the slow mode at that share of V_0
 };
 
+/// Share of V_0 that a disturbance of unset size changes the velocity by.
 inline constexpr double small_disturbance = 1e-6;
 
 }  // namespace stickslip

@@ -10,7 +10,9 @@
 
 namespace stickslip {
 
+/// What small and larger disturbances together say: both decay, only small ones decay, or sliding is unstable.
 enum class NonlinearRegion : std::uint8_t { undecided, stable, bistable, stick_slip };
+/// How cycles are born at k_cr: supercritical small and stable, subcritical unstable, with a jump to stick-slip.
 enum class Criticality : std::uint8_t { none, supercritical, subcritical, degenerate };
 
 /// Mirrored by the nonlinear fields of PointResult. The cycle is the one that the disturbance ends in or, in the
@@ -20,7 +22,7 @@ struct NonlinearVerdict {
     NonlinearRegion region = NonlinearRegion::undecided;  ///< by small and larger disturbances together
     Disturbance disturbance;                              ///< with its size in SI
     double growth_rate = missing;                         ///< of a small disturbance of that kind, measured [1/s]
-    double amplitude = missing;                           ///< of the cycle: half peak to peak in position
+    double amplitude = missing;                           ///< of the cycle: half peak to peak in position [m | rad]
     double jitter = missing;  ///< by encoder or noise: half peak to peak of sliding, or scatter of a cycle's amplitude
     double velocity_min = missing, velocity_max = missing;  ///< of the link over the cycle [m/s | rad/s]
     double period = missing;                                ///< s
@@ -30,7 +32,7 @@ struct NonlinearVerdict {
     int repeats = 1;                                ///< turns after which a period-n motion repeats
     Criticality criticality = Criticality::none;    ///< of the crossing at k_cr
     double lyapunov = missing;               ///< first Lyapunov coefficient at k_cr: sign decides the criticality
-    double fold_k_p = missing;               ///< gain above which no limit cycle is left
+    double fold_k_p = missing;               ///< gain above which no limit cycle is left [N/m | N·m/rad]
     DecisionPath path = DecisionPath::none;  ///< by which computation it was decided
     Reason reason = Reason::none;            ///< why it is undecided
     Detail detail = Detail::none;            ///< where more is known than the reason says

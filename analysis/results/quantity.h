@@ -13,8 +13,9 @@ enum class Motion { prismatic, revolute };
 /// supply.
 enum class Command { effort, voltage, duty };
 
-/// "effort", "voltage", "duty", as files have it; what is none of them is an effort.
+/// "effort", "voltage", "duty", as files have it.
 std::string_view name_of(Command command);
+/// The command of that name; any other name is an effort.
 Command command_named(std::string_view name);
 
 /// What the units of one joint's numbers depend on. units_of() of a joint (joint.h) knows both.
@@ -27,6 +28,7 @@ struct Units {
     friend constexpr bool operator==(const Units&, const Units&) = default;
 };
 
+/// The physical quantity of a number, from which its unit follows.
 enum class Quantity {
     number,             ///< a ratio, an exponent, a count
     time,               ///< s

@@ -9,12 +9,13 @@
 
 namespace stickslip {
 
+/// What disturbs the joint, for how long it is followed, and how closely.
 struct SimulateOptions {
     Disturbance disturbance;        ///< at the start
     double duration = missing;      ///< s; not set: fifty turns of the slowest mode, up to 400 where it grows slowly
     double cycle_period = missing;  ///< s, of the cycle that the motion ends in; not set: nothing waits for a cycle
-    SampledForce force;             ///< d(t) of (9) on the link, on top of the disturbance
-    SampledLoad normal_load;        ///< σ_n(t) of (1); empty: as the joint says
+    SampledForce force;             ///< disturbing force d(t) on the link, (9), on top of the disturbance
+    SampledLoad normal_load;        ///< normal load over time, as a ratio; empty: as the joint says
     double rtol = 1e-8;             ///< relative tolerance of the solver
     std::uint64_t seed = 1;         ///< of the noise of a real loop
     bool fallback_only = false;     ///< Rodas5P in place of CVODE

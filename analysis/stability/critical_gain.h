@@ -8,17 +8,19 @@
 
 namespace stickslip {
 
+/// Where a pair of roots lies on the imaginary axis: stable for k_p above, unstable below.
 struct CriticalGain {
-    double k_p;    ///< k_cr
-    double omega;  ///< rad/s
+    double k_p;    ///< k_cr [N/m | N·m/rad]
+    double omega;  ///< of the oscillation there [rad/s]
 };
 
-/// Solves (34) and (35) for one state, g(t) = γ e^{λt}, with C = k_v + f_v:
+/// Sets s = iω in m s² + (k_v + f_v − γ/(s − λ)) s + k_p = 0, the kernel g(t) = γ e^{λt} of one state, λ < 0, and
+/// solves its imaginary and its real part, (34) and (35), with C = k_v + f_v:
 ///   C = γ|λ| / (λ² + ω²)   ⇒   ω² = |λ| (γ − C|λ|) / C
 ///   k_cr = m ω² + ω · γω/(λ² + ω²) = ω² (m + C/|λ|)
-/// For (4)-(5), γ = B/L and λ = −V_0/L, this reads k_cr = ((B − A − k_v V_0)/L)(1 + m V_0/(L C)).
-/// Nothing where the imaginary axis is not crossed: C ≥ γ/|λ| (stable for every k_p > 0), or C ≤ 0 (unstable for every
-/// k_p), or beyond all numbers. Source: Dupont (1991), (33)-(37).
+/// For rate-and-state friction under the slip law, (4)-(5), γ = B/L and λ = −V_0/L, this reads k_cr = ((B − A − k_v
+/// V_0)/L)(1 + m V_0/(L C)). Nothing where the imaginary axis is not crossed: C ≥ γ/|λ| (stable for every k_p > 0), or
+/// C ≤ 0 (unstable for every k_p), or beyond all numbers. Source: Dupont (1991), (33)-(37).
 inline std::optional<CriticalGain> critical_gain(double inertia, double k_v, const LinearFriction& friction)
 {
     if (friction.states != 1) return std::nullopt;

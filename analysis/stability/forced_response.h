@@ -1,4 +1,5 @@
-// The linear joint under a disturbance in time: d(t) of (9), answered by (19).
+// The linear joint under a disturbing force d(t) on the link, (9) of the paper: the answer is that of its transfer
+// function X/D(s), (19).
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,13 +12,15 @@ namespace stickslip {
 struct SampledForce {
     double step = 0;            ///< s
     std::vector<double> value;  ///< N | N·m
-    double impulse = 0;         ///< N·s, before the first sample
+    double impulse = 0;         ///< N·s | N·m·s, before the first sample
 };
 
+/// The course of a disturbing force in time.
 enum class ForceKind { impulse, step, sine, noise };
 
 /// `size` is N·s for an impulse, N for the others: the level of a step, the amplitude of a sine, the standard deviation
-/// of noise (one independent normal sample a step, from `seed`). `omega` is that of a sine [rad/s].
+/// of noise (one independent normal sample a step, from `seed`). `omega` is that of a sine [rad/s]. `duration` and
+/// `step` in s; throws std::invalid_argument unless 0 < step ≤ duration.
 SampledForce sampled_force(ForceKind kind, double size, double duration, double step, double omega = 0,
                            std::uint64_t seed = 1);
 

@@ -15,17 +15,19 @@ struct LoadedVerdict {
     double load, velocity_only, state_variable, k_cr, k_v_min;  ///< load as a ratio, 1/s twice, gains in SI
 };
 
+/// The verdicts over a range of loads, and what they come to over a record of loads.
 struct LoadStudy {
     double low = missing, high = missing;  ///< loads, per the nominal one
     std::vector<LoadedVerdict> at;         ///< loads from low to high, evenly
-    /// Shares of the record at whose load steady sliding is stable.
+    /// Shares of the record, within [0, 1], at whose load steady sliding is stable.
     double stable_velocity_only = missing, stable_state_variable = missing;
-    /// The load that demands the largest k_cr, and that gain; NaN where none has one.
+    /// The load that demands the largest k_cr, and that gain [N/m | N·m/rad]; NaN where none has one.
     double hardest_load = missing, hardest_k_cr = missing;
 };
 
 /// `loads`: samples of the normal load on the link's friction over equal times, per the one at which the numbers of its
-/// law hold; all > 0. Between the `levels` loads that are evaluated, growth rates are straight lines.
+/// law hold; all > 0 and finite, which the caller checks: nothing is thrown, and verdicts at a load ≤ 0 mean nothing.
+/// Without loads the study is empty. Between the `levels` loads that are evaluated, growth rates are straight lines.
 LoadStudy load_study(const Joint& joint, std::span<const double> loads, int levels = 101);
 
 }  // namespace stickslip

@@ -9,7 +9,8 @@
 
 namespace stickslip {
 
-/// X/D(s): the link's position per disturbance on the link; for one mass 1/(m s² + (k_v + f_v − G) s + k_p)     (19)
+/// X/D(s): the link's position per disturbance on the link; for one mass 1/(m s² + (k_v + f_v − G(s)) s + k_p),
+/// (19), G the Laplace transform of friction's kernel; position per effort [m/N | rad/(N·m)].
 std::complex<double> disturbance_response(const LinearJoint& joint, std::complex<double> s);
 
 /// The largest |X/D|(iω) and its frequency; `magnitude` is infinite at a boundary and NaN for an unstable joint, whose

@@ -16,8 +16,8 @@ struct StableGains {
     double searched_from = 0;         ///< crossings are complete from here
     double searched_to = infinity;    ///< up to here
     bool known = true;                ///< false: the joint's own loop has no such gain to turn alone
-    double k_cr = missing;            ///< the single critical gain: all above it are stable, none below
-    double omega = missing;           ///< its frequency
+    double k_cr = missing;            ///< the single critical gain: all above are stable, none below [N/m | N·m/rad]
+    double omega = missing;           ///< frequency of the oscillation there [rad/s]
 };
 
 /// Fills in k_cr and omega where one crossing divides the gains into none and all.

@@ -11,10 +11,11 @@ namespace stickslip {
 
 /// Armstrong's ramps at the joint's own rate of force.
 struct ForceRamp {
-    double rate = missing;                                ///< (k_p + k_c) V_0
-    std::vector<Interval> velocity_only, state_variable;  ///< stable k_p at that rate
+    double rate = missing;                                ///< of the force: (k_p + k_c) V_0 [N/s | N·m/s]
+    std::vector<Interval> velocity_only, state_variable;  ///< stable k_p at that rate [N/m | N·m/rad]
 };
 
+/// Margins, velocity windows, reductions and noise of one joint.
 struct LinearStudy {
     double compliance = missing;          ///< |X/D|(0): lasting displacement per lasting force on the link
     ResponsePeak peak{missing, missing};  ///< largest displacement per periodic force

@@ -20,16 +20,18 @@ struct SteadySliding {
     Reason reason = Reason::none;  ///< why there is none
 };
 
-/// (20)-(21): friction replaced by its steady-state curve.
+/// Friction replaced by its steady-state curve, (20)-(21): m s² + (k_v + f_ss'(V_0)) s + k_p = 0, so that one mass is
+/// stable for k_p > 0 and k_v > −f_ss'(V_0).
 struct VelocityOnlyVerdict {
     bool stable = false;       ///< every root left of the imaginary axis
     bool neutral = false;      ///< a root on the imaginary axis, none right of it: disturbances neither decay nor grow
-    double k_v_min = missing;  ///< max(0, −f_ss'(V_0)): least gain, to be exceeded
+    double k_v_min = missing;  ///< max(0, −f_ss'(V_0)): least gain, to be exceeded [N·s/m | N·m·s/rad]
     std::vector<Interval> stable_k_v;  ///< at the joint's k_p: (k_v_min, ∞) for one mass, windows for several
-    double slope = missing;            ///< f_ss'(V_0)
+    double slope = missing;            ///< f_ss'(V_0) [N·s/m | N·m·s/rad]
 };
 
-/// (27)-(37): friction with memory.
+/// Friction with memory, (27)-(37): m s² + (k_v + f_v − G(s)) s + k_p = 0, G the Laplace transform of the kernel g(t)
+/// with which friction answers past changes of velocity.
 struct StateVariableVerdict {
     bool stable = false;                            ///< every root left of the imaginary axis
     bool neutral = false;                           ///< as above
@@ -37,18 +39,19 @@ struct StateVariableVerdict {
     std::vector<std::complex<double>> eigenvalues;  ///< 1/s, rightmost first
     std::vector<std::complex<double>> multipliers;  ///< of a sampled loop, from sample to sample: z = e^{sT}
     bool all_eigenvalues = true;                    ///< with delays or a table only some of the rightmost are known
-    double f_v = missing;                           ///< direct effect (14)
-    double kernel_integral = missing;               ///< ∫g
-    std::vector<Crossing> crossings;                ///< of the imaginary axis, over k_p
-    std::vector<Interval> stable_intervals;         ///< in k_p, decided by the spectrum
-    double k_cr = missing;                          ///< the single critical gain, NaN where there is none
-    double searched_from = 0;           ///< k_p from which crossings are complete: above 0 where k_p moves sliding
-    double searched_to = infinity;      ///< and up to which; finite there, and where delays go on
-    double gain_margin_db = missing;    ///< least change of the loop gain, either way, that makes it unstable
-    double phase_margin_deg = missing;  ///< at |L| = 1, broken at the command: negative where it is unstable
-    std::vector<Interval> doubtful;     ///< bands of ω in which a touch of the axis could not be excluded
+    double f_v = missing;                    ///< direct effect ∂f/∂V at constant state, (14) [N·s/m | N·m·s/rad]
+    double kernel_integral = missing;        ///< ∫g dt from 0 to ∞ [N·s/m | N·m·s/rad]: f_ss' = f_v − ∫g
+    std::vector<Crossing> crossings;         ///< of the imaginary axis, over k_p
+    std::vector<Interval> stable_intervals;  ///< in k_p, decided by the spectrum
+    double k_cr = missing;                   ///< the single critical gain [N/m | N·m/rad], NaN where there is none
+    double searched_from = 0;                ///< k_p from which crossings are complete: above 0 where k_p moves sliding
+    double searched_to = infinity;           ///< and up to which; finite there, and where delays go on
+    double gain_margin_db = missing;         ///< least change of the loop gain, either way, that makes it unstable
+    double phase_margin_deg = missing;       ///< at |L| = 1, broken at the command: negative where it is unstable
+    std::vector<Interval> doubtful;          ///< bands of ω in which a touch of the axis could not be excluded
 };
 
+/// Both verdicts on one joint, and what they are about.
 struct LinearVerdict {
     SteadySliding steady;                 ///< what the verdicts are about
     LoopUse loop;                         ///< which loop the verdicts are about
@@ -56,14 +59,15 @@ struct LinearVerdict {
     StateVariableVerdict state_variable;  ///< with memory
 };
 
-/// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason.
+/// Everything the linear theory says about one joint. A joint without steady sliding gives NaN and the reason; nothing
+/// is thrown.
 LinearVerdict linear_verdict(const Joint& joint);
 
 /// Which loop that verdict is of, without the verdict: of the joint's loop, but for an integral that a limit stops.
 LoopUse verdict_loop(const Joint& joint);
 
-/// max Re s with memory alone, without the search for critical gains, which costs much where memory is a delay or a
-/// table. NaN where there is no verdict.
+/// max Re s [1/s] with memory alone, without the search for critical gains, which costs much where memory is a delay or
+/// a table. NaN where there is no verdict.
 double growth_rate(const Joint& joint);
 /// The same with friction replaced by its steady-state curve.
 double velocity_only_growth_rate(const Joint& joint);

@@ -12,6 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).parent.parent.parent
 sys.path.insert(0, str(ROOT / "cmake"))
 import docs  # noqa: E402
+import library  # noqa: E402
 
 wrong = []
 
@@ -75,6 +76,10 @@ for header in sorted((ROOT / "include/stickslip").glob("*.h")):
 for name in ("linear_verdict", "simulate", "locate_boundaries", "diagnose", "read_joint", "ParallelFor"):  # one of each room
     if not re.search(rf"```cpp\n[^`]*\b{name}\b", page):
         wrong.append(f"docs/library.md: {name} is missing")
+
+wrong += [f"<stickslip/{header}>: no /// describes {what}" for header, what in library.undocumented(ROOT)]
+assert library.undocumented_in("struct Two {\n    int one = 1;  ///< said\n    int other = 2;\n};\n\nint three();\n") == [
+    "struct Two", "struct Two: int other = 2;", "int three();"]
 
 site = text_of("mkdocs.yml")
 for page in sorted((ROOT / "docs").rglob("*.md")):

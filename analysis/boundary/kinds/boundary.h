@@ -9,6 +9,7 @@
 
 namespace stickslip {
 
+/// Which boundary is searched for, and how closely.
 struct BoundaryRequest {
     BoundaryKind kind = BoundaryKind::state_variable;  ///< which boundary is looked for
     Disturbance disturbance;                           ///< of kind `outcome`
@@ -33,7 +34,8 @@ int default_scan(BoundaryKind kind);
 /// joint lacks and for a request with a problem().
 LocatedRay locate_boundaries(const Joint& joint, const Axis& axis, const BoundaryRequest& request);
 
-/// The same over a chart, followed. v_min: the y axis has to be control.V0.
+/// The same over a chart, followed. v_min: the y axis has to be control.V0. Throws as locate_boundaries, and for v_min
+/// over another y axis.
 FollowedBoundary follow_boundaries(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request);
 
 /// Whether the joint hunts at a set point, as a side.

@@ -7,6 +7,7 @@
 
 namespace stickslip {
 
+/// How far and how thoroughly nearest_boundary searches.
 struct NearestOptions {
     Curve::Kind theory = Curve::Kind::state_variable;  ///< whose verdict changes at the boundary
     double reach = not_set;  ///< distance searched; not set: a factor of ten in the least of the scales
@@ -42,6 +43,7 @@ double signed_margin(const NearestBoundary& nearest);
 /// 1/scale²).
 double tolerance_each(double distance, const std::vector<Coordinate>& coordinates);
 
+/// How shares go together: each up to its own, or the sum of squares of (deviation/share) up to 1.
 enum class UncertaintyShape { box, ellipsoid };
 
 /// Shares by which coordinates may be off: value · (1 ± share). The ellipsoid touches the box in its axes.
@@ -60,10 +62,13 @@ struct WorstCase {
 };
 
 /// Corners (up to six coordinates) or axes first, then NLopt: DIRECT-L if `global`, and SBPLX from the worst found.
+/// Throws std::invalid_argument for a coordinate that the joint lacks; one share a coordinate, within [0, 1), is the
+/// caller's business.
 WorstCase worst_case(const Joint& joint, const Uncertainty& uncertainty, Curve::Kind theory, bool global = true);
 
 /// The edge of the robustly stable set over two axes: where the worst case within the uncertainty turns unstable. The
 /// uncertain shares hold around the values at each point of the chart. Corners and a local search at each point.
+/// Throws std::invalid_argument for a path that the joint lacks.
 FollowedBoundary follow_robust_boundary(const Joint& joint, const Axis& x, const Axis& y,
                                         const Uncertainty& uncertainty, const BoundaryRequest& request);
 

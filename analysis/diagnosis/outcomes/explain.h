@@ -13,15 +13,16 @@ struct NextOutcome {
     double one = 0, two = 0;       ///< probability of stick-slip by each
 };
 
+/// What explain() found, and what it was found from.
 struct OutcomeAnswer {
-    Diagnosis diagnosis;
-    Joint after;  ///< the nominal joint with the winning law; equal to it where nothing was named
-    Outcomes outcomes;
-    LawFit nominal;
-    std::vector<LawFit> laws;             ///< most probable first
+    Diagnosis diagnosis;       ///< verdict, causes and gap, as of records
+    Joint after;               ///< the nominal joint with the winning law; equal to it where nothing was named
+    Outcomes outcomes;         ///< the rows, each with its joint
+    LawFit nominal;            ///< the joint as documented
+    std::vector<LawFit> laws;  ///< most probable first
     std::vector<std::string_view> alike;  ///< laws that the rows cannot distinguish from the best one
-    NextOutcome next;
-    int contradictions = 0;  ///< rows that say the opposite of most rows with the same settings
+    NextOutcome next;                     ///< what to measure next
+    int contradictions = 0;               ///< rows that say the opposite of most rows with the same settings
 };
 
 /// Fits every friction law to the rows, judges each by rows that its fit has not seen, and ranks them. `gap`: the

@@ -10,20 +10,22 @@
 
 namespace stickslip::gap {
 
+/// The least size of one effect that a motion reveals.
 struct EffectPower {
-    std::string name, parameter;
+    std::string name, parameter;  ///< the effect, and the number of it that measures its size
     double least_size = not_set;  ///< in `unit`; not set: no size within its bounds shows. Of a limit: the largest one
-    std::string unit;
+    std::string unit;             ///< of least_size
 };
 
+/// What a motion can show.
 struct Power {
-    std::vector<EffectPower> effects;
-    std::vector<std::pair<std::string, std::string>> inseparable;
+    std::vector<EffectPower> effects;                              ///< all that the joint can have
+    std::vector<std::pair<std::string, std::string>> inseparable;  ///< names of two effects each
 };
 
 /// A reference position over time, on the joint's own period.
 struct PlannedMotion {
-    std::vector<double> time, position;
+    std::vector<double> time, position;  ///< s; m | rad
 };
 
 /// An effect shows where it changes what a slow observer of the record is surprised by, at any of its bandwidths and in

@@ -35,6 +35,7 @@ struct Record {
         overrides;                         ///< dotted path of the joint → value that held in this record
     std::optional<bool> at_rest_at_start;  ///< not said: the motion of the first rows tells
 
+    /// Length of every column that was logged.
     std::size_t rows() const { return time.size(); }
 };
 

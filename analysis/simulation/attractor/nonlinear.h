@@ -9,6 +9,7 @@
 
 namespace stickslip {
 
+/// What a nonlinear verdict looks for, and how closely.
 struct NonlinearOptions {
     Disturbance disturbance;     ///< the one that the outcome means
     double rtol = 1e-8;          ///< relative tolerance of the solvers

@@ -4,8 +4,7 @@
 
 namespace stickslip {
 
-/// What the joint is commanded to do, row by row [reading units]; `velocity` and `feed_forward` may be empty:
-/// the velocity is then that of the positions at the ticks (reference_rates).
+/// What the joint is commanded to do, row by row, as its controller has it: positions in what the encoder reads.
 struct ReferenceMotion {
     std::vector<double> time, position, velocity, feed_forward;  ///< [s], reading units, [N | N·m]
 };
@@ -19,7 +18,9 @@ struct LoopRecord {
 };
 
 /// Starts at rest where the reference starts, or, under a law that cannot rest, sliding as the reference does. `seed` 0
-/// gives a record without noise.
+/// gives a record without noise; `rtol` is the relative tolerance of the solver. A joint that cannot be driven along
+/// the reference gives an empty record with the reason (without control.period also where its rows are not even);
+/// columns of the reference have equal lengths, which the caller checks. Throws nothing.
 LoopRecord record_along(const Joint& joint, const ReferenceMotion& reference, std::uint64_t seed, double rtol = 1e-8);
 
 }  // namespace stickslip

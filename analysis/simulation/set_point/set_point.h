@@ -10,6 +10,7 @@ namespace stickslip {
 /// Whether the loop integrates, so that a set point is a question of its own.
 bool integrates(const Joint& joint);
 
+/// How a set point is examined.
 struct SetPointQuestion {
     int starts_per_decade = 8;  ///< how densely the starts of slips are looked at where there is no closed form
 
@@ -25,7 +26,8 @@ struct SetPointQuestion {
 /// are undecided, with the reason. A push of control.feed_forward that looks at the
 /// reference is silent at a set point, one that follows velocity or error acts. A dither of amplitude D below the
 /// kinetic friction F_c lets no motion last in a loop that does not integrate: d/dt(m v²/2 + k_p x²/2) <= −(F_c −
-/// D)|v|. It rests where F_s − D holds it.
+/// D)|v|. It rests where F_s − D holds it. Throws std::invalid_argument for
+/// a question with a problem().
 SetPoint set_point(const Joint& joint, const SetPointQuestion& question = {});
 
 }  // namespace stickslip

@@ -22,7 +22,7 @@ def _axes(ax: "Axes | None") -> "Axes":
         return ax
     import matplotlib.pyplot as plt
 
-    return plt.subplots()[1]
+    return plt.subplots(layout="constrained")[1]  # long names of effects stay on the page
 
 
 def _label(variable: Any) -> str:

@@ -91,11 +91,11 @@ constexpr Sentence sentences[] = {
      "under "
      "its logged command"},
     {Code::reference_late,
-     "the logged command is that of the reference {0:.0f} control periods ({1:.4g} s) later: the log's reference is "
-     "late, and was shifted"},
+     "the logged command is that of the reference {0:.0f} control periods ({1:.4g} s) later: it was shifted. "
+     "The log's reference is late, or the controller has feed-forward of that size"},
     {Code::reference_early,
-     "the logged command is that of the reference {0:.0f} control periods ({1:.4g} s) earlier: the log's reference is "
-     "early, and was shifted"},
+     "the logged command is that of the reference {0:.0f} control periods ({1:.4g} s) earlier: it was shifted. "
+     "The log's reference is early, or the controller uses one that is as old"},
     {Code::positions_scaled,
      "the logged command is that of positions and velocities divided by {0:.5g}: log and controller convert them "
      "differently (a gear ratio?), and the controller's are used"},

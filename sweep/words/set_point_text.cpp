@@ -23,7 +23,9 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::slips_shrink:
             return "each slip ends nearer to the set point than the last";
         case SetPointReason::held:
-            return "a limit of the integral or of the output keeps the loop from breaking the static friction";
+            return "nothing breaks the static friction: a limit of the integral or of the output holds it, or the "
+                   "encoder reads "
+                   "no error";
         case SetPointReason::dead_zone:
             return "slips end within the dead zone";
         case SetPointReason::push_breaks_friction:

@@ -21,14 +21,18 @@ double misfit_of(const std::vector<Case>& cases, double limit)
     return mean_misfit(gains_of(cases, cases[0].joint.control.velocity_estimate.tau, limit));
 }
 
-/// The reference of so many ticks later; what lies beyond the log is as at its end.
+/// The reference of so many ticks later; beyond the log it goes on as it does at its ends.
 std::vector<double> later(const std::vector<double>& of, int ticks)
 {
     std::vector<double> shifted(of.size());
     const auto last = static_cast<std::ptrdiff_t>(of.size()) - 1;
-    for (std::ptrdiff_t k = 0; k <= last; ++k)
+    const auto at = [&](std::ptrdiff_t k) { return of[static_cast<std::size_t>(k)]; };
+    for (std::ptrdiff_t k = 0; k <= last; ++k) {
+        const std::ptrdiff_t wanted = k + ticks, near = std::clamp<std::ptrdiff_t>(wanted, 1, last);
+        const double step = at(near) - at(near - 1);
         shifted[static_cast<std::size_t>(k)] =
-            of[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k + ticks, 0, last))];
+            wanted == near ? at(near) : at(near) + static_cast<double>(wanted - near) * step;
+    }
     return shifted;
 }
 
@@ -83,8 +87,9 @@ bool align_scale(std::vector<Case>& cases, double limit, double enough, Audit& r
 
 void align_log(std::vector<Case>& cases, double limit, Audit& result)
 {
-    const bool every_tick = std::ranges::all_of(
-        cases, [](const Case& c) { return c.ticks.ticks_per_row == 1 && c.ticks.regular && !c.ticks.lost; });
+    const bool every_tick = std::ranges::all_of(cases, [](const Case& c) {
+        return c.ticks.ticks_per_row == 1 && c.ticks.regular && !c.ticks.lost && c.ticks.size() > 1;
+    });
     if (!every_tick || !is_plain(cases[0].joint.control)) return;
     const double as_logged = misfit_of(cases, limit), enough = policy::much_better * as_logged;
     if (as_logged <= policy::understood) return;

@@ -53,6 +53,11 @@ std::string cause_text(const Cause&, const Joint&, const Joint&)
     return "#cause";
 }
 
+std::string side_text(const GearSide&, bool)
+{
+    return "#side";
+}
+
 std::string signature_text(const std::vector<std::string>&)
 {
     return "#signature";

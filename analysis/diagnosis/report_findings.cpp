@@ -86,7 +86,9 @@ void report_rivals(const Prepared& p, const ParallelFor& parallel, const Finding
 {
     if (f.by_ladder) {
         if (f.judged.only_corrections)
-            for (std::size_t i = 1; i < d.effects.size(); ++i) d.ambiguous_with.push_back(d.effects[i].names);
+            for (std::size_t i = 1; i < d.effects.size(); ++i)
+                if (d.effects[i].probability >= policy::odds_of_indistinguishable * d.effects[0].probability)
+                    d.ambiguous_with.push_back(d.effects[i].names);
         if (!f.judged.named) return;
         const auto near = indistinguishable(f.judged);
         for (const auto& rival : near)

@@ -92,7 +92,8 @@ struct CurveGuard {
 
 /// Neighbouring points of a scan, from the first to the last of them [SI].
 struct ScanStretch {
-    double low = 0, high = 0;
+    double low = 0;   ///< its first node [SI]
+    double high = 0;  ///< its last one [SI]
 };
 
 /// What lies beyond the ends of a range that holds no boundary.

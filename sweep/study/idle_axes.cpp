@@ -128,11 +128,4 @@ std::vector<IdleAxis> idle_coordinates(const Joint& joint, const Uncertainty& un
     return idle_axes(joint, axes);
 }
 
-bool only_idle(const std::vector<IdleAxis>& idle, const Uncertainty& uncertainty)
-{
-    const auto& list = uncertainty.coordinates;
-    return std::all_of(list.begin(), list.end(),
-                       [&](const Coordinate& c) { return c.less.empty() && idle_axis(idle, c.path); });
-}
-
 }  // namespace stickslip

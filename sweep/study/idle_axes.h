@@ -41,9 +41,6 @@ std::optional<IdleAxis> idle_at_rest(const Joint& joint, const Axis& axis);
 /// The same of uncertain parameters, each within its share. Differences of two parameters are never idle.
 std::vector<IdleAxis> idle_coordinates(const Joint& joint, const Uncertainty& uncertainty);
 
-/// Whether no linear answer depends on any of the uncertain parameters: their worst joint says nothing.
-bool only_idle(const std::vector<IdleAxis>& idle, const Uncertainty& uncertainty);
-
 /// Of a path among them, of the linear theory or at rest, or nullptr.
 inline const IdleAxis* idle_axis(const std::vector<IdleAxis>& idle, const std::string& path, bool at_rest = false)
 {

@@ -6,6 +6,7 @@
 #include "sweep/study/left_out_loop.h"
 #include "sweep/study/samples.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,13 @@ struct MarginsAnswer {
     std::optional<FollowedBoundary> nominal, robust;  ///< over two axes
     std::optional<RobustSet> robust_set;              ///< only for a page with `robust` and `nominal`
     std::optional<GrowthByParameter> growth;          ///< only for a page, and where a parameter has a boundary
+
+    /// Whether no linear answer depends on any of the uncertain parameters: their worst joint says nothing.
+    bool only_idle() const
+    {
+        return std::ranges::all_of(uncertainty.coordinates,
+                                   [&](const auto& c) { return c.less.empty() && idle_axis(idle, c.path); });
+    }
 };
 
 /// The margins of a joint: its natural coordinates for the nearest boundary, those and both gains one by one.

@@ -42,7 +42,7 @@ std::string worst_text(const MarginsAnswer& a)
               signed_percent(a.worst->deviations[i]);
     std::string left_out;
     for (const auto& axis : a.idle) left_out += (left_out.empty() ? "" : "; ") + idle_words(axis);
-    if (only_idle(a.idle, a.uncertainty)) return " Nothing is said of " + within + ": " + left_out + ".";
+    if (a.only_idle()) return " Nothing is said of " + within + ": " + left_out + ".";
     if (!left_out.empty()) left_out = " This does not judge everything: " + left_out + ".";
     if (a.worst->undecided > 0)
         left_out += " " + counted(a.worst->undecided, "joint") + " of " + std::to_string(a.worst->evaluations) +
@@ -109,7 +109,7 @@ std::vector<Headline> margins_headlines(const MarginsAnswer& a)
         list.push_back({Tone::neutral, off_text(a.tolerance_each),
                         "in " + uncertain_numbers(a.nearest, units) + " at once cannot reach the boundary (distance " +
                             plain_number(a.nearest.distance) + ")"});
-    if (a.worst && is_set(a.worst->instability) && !only_idle(a.idle, a.uncertainty))
+    if (a.worst && is_set(a.worst->instability) && !a.only_idle())
         list.push_back({a.worst->instability < 0 ? Tone::good : Tone::bad,
                         with_unit(a.worst->instability, Quantity::rate, units),
                         "max Re s of the worst joint within the stated uncertainty; stable below 0"});

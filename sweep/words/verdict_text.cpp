@@ -19,7 +19,7 @@ std::string stiffness(double k, Units units)
 }
 
 /// k_p per the critical gain; beside it by how much, as "1 ×" would not tell the side.
-std::string to_critical(double k_p, const StateVariableVerdict& memory, Units units)
+std::string beside_k_cr(double k_p, const StateVariableVerdict& memory, Units units)
 {
     const double ratio = k_p / memory.k_cr;
     constexpr double beside = 0.005;
@@ -130,7 +130,7 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)
-        text += to_critical(k_p, memory, units);
+        text += beside_k_cr(k_p, memory, units);
     else
         text += stable_gains(joint, memory, bistable);
     return text + other_theory(joint, v) + loop_text(v.loop);

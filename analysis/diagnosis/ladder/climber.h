@@ -106,6 +106,9 @@ class Climber {
     std::optional<double> misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival);
 
   private:
+    /// The set with a scale of the effort, where one relieves its document enough; `freed` is one of its causes, whose
+    /// number the scale is not started from.
+    std::optional<FittedSet> scaled(const FittedSet& base, const Effect* freed, const Corrections& corrections);
     /// Which of the causes goes last, by what is lost without each.
     std::size_t last_of(const FittedSet& set, std::vector<double> lost) const;
     /// The causes but one, with the numbers that they have in the set.

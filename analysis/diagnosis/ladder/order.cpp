@@ -52,9 +52,15 @@ std::vector<FittedSet> Climber::in_order(FittedSet set) const
         order.push_back(less[last_of(order.back(), lost)]);
     }
     std::reverse(order.begin(), order.end());
-    // what takes nothing without the next cause is told with it
+    // what takes nothing without the next cause is told with it; a small term goes alone, however little it takes
+    const auto small_term_next = [&](std::size_t i) {
+        const auto& below = order[i].causes.effects;
+        const auto& all = order[i + 1].causes.effects;
+        const auto next = std::ranges::find_if(all, [&](const auto* e) { return std::ranges::count(below, e) == 0; });
+        return next != all.end() && fitter_.is_usual(order.back(), **next);
+    };
     for (std::size_t i = 1; i + 1 < order.size();)
-        if (earns(order[i - 1], order[i], rules_))
+        if (small_term_next(i) || earns(order[i - 1], order[i], rules_))
             ++i;
         else
             order.erase(order.begin() + static_cast<std::ptrdiff_t>(i));

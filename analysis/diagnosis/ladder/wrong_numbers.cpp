@@ -50,11 +50,11 @@ std::vector<Number> numbers_of(const FittedSet& set, const Corrections& correcti
 }
 
 /// The scale of the effort that brings all numbers but one nearest to the document.
-double shared_scale(const std::vector<Number>& numbers, const Number* but, const CorrectionPrior& prior)
+double shared_scale(const std::vector<Number>& numbers, const Effect* but, const CorrectionPrior& prior)
 {
     double sum = 0, weights = 0;
     for (const auto& number : numbers)
-        if (const double part = part_of(number.effect->name, prior); part > 0 && &number != but)
+        if (const double part = part_of(number.effect->name, prior); part > 0 && number.effect != but)
             sum += number.logarithm / (part * part), weights += 1 / (part * part);
     return weights > 0 ? std::exp(-sum / weights) : 1;
 }
@@ -76,37 +76,53 @@ std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Co
     return set;
 }
 
+std::optional<FittedSet> Climber::scaled(const FittedSet& base, const Effect* freed, const Corrections& corrections)
+{
+    const Effect* scale = effect_named("effort-gain");
+    if (base.deviations() < rules_.relieved) return std::nullopt;
+    const auto numbers = numbers_of(base, corrections, rules_.prior);
+    Candidate causes = base.causes;
+    causes.records = base.model.candidate.records;
+    std::vector<Start> starts;
+    for (const auto& form : scale->forms) {
+        const Candidate alone{{scale}, {&form}, causes.records};
+        if (!alone.applies(fitter_.joint()) || (form.effort_alone && !fitter_.logs_effort())) continue;
+        Start start{causes};
+        const double shared = shared_scale(numbers, freed, rules_.prior);
+        const auto x = insert(start.causes, scale, &form, base.of_causes(base.fit.x), to_fit(alone, {shared}));
+        start.x0 = fitter_.start(start.causes, base, x);
+        starts.push_back(std::move(start));
+    }
+    const auto relieves = [&](const FittedSet& set) {
+        return set.plausible && !set.correction && set.misfit < base.misfit &&
+               base.deviations() - set.deviations() >= rules_.relieved;
+    };
+    for (const auto& set : judged(starts)) {
+        if (!relieves(set)) continue;
+        // along the scale only priors slope, and a first search ends on the way
+        if (auto settled = compared({set}); relieves(settled)) return settled;
+    }
+    return std::nullopt;
+}
+
 FittedSet Climber::with_shared_scale(FittedSet set, const Corrections& corrections)
 {
     const Effect* scale = effect_named("effort-gain");
-    if (std::ranges::count(set.causes.effects, scale) > 0 || set.deviations() < rules_.relieved) return set;
-    const auto numbers = numbers_of(set, corrections, rules_.prior);
-    std::vector<Start> starts;
-    const auto add = [&](const Candidate& causes, const Eigen::VectorXd& of_causes, const Number* freed) {
-        for (const auto& form : scale->forms) {
-            const Candidate alone{{scale}, {&form}, causes.records};
-            if (!alone.applies(fitter_.joint()) || (form.effort_alone && !fitter_.logs_effort())) continue;
-            Start start{causes};
-            const double shared = shared_scale(numbers, freed, rules_.prior);
-            const auto x = insert(start.causes, scale, &form, of_causes, to_fit(alone, {shared}));
-            start.x0 = fitter_.start(start.causes, set, x);
-            starts.push_back(std::move(start));
-        }
-    };
-    Candidate causes = set.causes;
-    causes.records = set.model.candidate.records;
-    add(causes, set.of_causes(set.fit.x), nullptr);
-    // a number that is wrong by another factor as well may have come nearer to the document
-    for (const auto& number : numbers)
-        if (number.deviations >= rules_.far_off && causes.effects.size() + several <= rules_.most_rungs) {
-            Candidate freed = causes;
-            const auto x = insert(freed, number.effect, &number.effect->forms[0], set.of_causes(set.fit.x), number.x);
-            add(freed, x, &number);
-        }
-    for (auto& scaled : judged(starts))
-        if (scaled.plausible && !scaled.correction && scaled.misfit < set.misfit &&
-            set.deviations() - scaled.deviations() >= rules_.relieved)
-            return compared({scaled});  // along the scale only priors slope, and a first search ends on the way
+    if (std::ranges::count(set.causes.effects, scale) > 0) return set;
+    if (auto found = scaled(set, nullptr, corrections)) return *found;
+    if (set.causes.effects.size() + several > rules_.most_rungs) return set;
+    // a number that is wrong by another factor as well holds the scale back while it is a correction
+    for (const auto& number : numbers_of(set, corrections, rules_.prior)) {
+        if (number.deviations < rules_.far_off) continue;
+        Start freed{set.causes};
+        freed.causes.records = set.model.candidate.records;
+        const auto x =
+            insert(freed.causes, number.effect, &number.effect->forms[0], set.of_causes(set.fit.x), number.x);
+        freed.x0 = fitter_.start(freed.causes, set, x);
+        for (const auto& base : judged({freed}))
+            if (auto found = scaled(base, number.effect, corrections); found && found->misfit < set.misfit)
+                return *found;
+    }
     return set;
 }
 

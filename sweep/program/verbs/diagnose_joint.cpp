@@ -124,8 +124,8 @@ JointDiagnosis diagnose_joint(const Joint& documented, const GatheredRecords& gi
     }
     Diagnosis& d = found.diagnosis;
     d.notes.insert(d.notes.begin(), given.warnings.begin(), given.warnings.end());
-    if (const auto side = side_text(gear_side(found.before), true); !side.empty())
-        d.notes.push_back({.text = plain_text(side)});
+    if (const auto side = gear_side(found.before); side.between())
+        d.notes.push_back({.text = plain_text(side_text(side, true))});
     if (const auto law = found.rig ? "" : gap::rewritten_law(documented); !law.empty())
         d.notes.push_back({.text = rewritten_law_text(law)});
     if (const auto keys = found.rig ? std::vector<std::string>{} : gap::left_out_of_records(documented); !keys.empty())

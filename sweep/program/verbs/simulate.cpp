@@ -133,7 +133,7 @@ int record_joint(const Options& options, const Invocation& invocation)
     const auto record = record_along(joint, reference, options.surroundings.force.seed, options.tolerance);
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
-    if (const auto side = side_text(gear_side(joint), true); !side.empty()) fmt::print("{}\n", plain_text(side));
+    if (const auto side = gear_side(joint); side.between()) fmt::print("{}\n", plain_text(side_text(side, true)));
     tell_measures(measure_motion(record.time, record.reference_position, record.position), units_of(joint),
                   options.directory);
     const auto unstable = unstable_loop(joint, record);

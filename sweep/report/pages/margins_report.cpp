@@ -65,8 +65,7 @@ Report margins_report(const MarginsAnswer& a)
                                                      : Headline::Tone::good;
     report.tone = without_what_matters(report.tone, a.loop);
     tell_idle(a.idle, false, report);
-    if (a.worst && only_idle(a.idle, a.uncertainty) && report.tone == Headline::Tone::good)
-        report.tone = Headline::Tone::warning;
+    if (a.worst && a.only_idle() && report.tone == Headline::Tone::good) report.tone = Headline::Tone::warning;
     if (a.left_out) {
         tell_left_out(*a.left_out, a.nearest.stable, report);
         report.verdict = of_ideal_loop(report.verdict);

@@ -19,11 +19,6 @@ using stickslip::test::record_of;
 
 namespace {
 
-void backwards(std::size_t n, const std::function<void(std::size_t)>& task)
-{
-    for (std::size_t i = n; i-- > 0;) task(i);
-}
-
 std::vector<Record> records_of(const Machine& m)
 {
     return {record_of(m, 1), record_of(m, 2)};
@@ -152,23 +147,13 @@ TEST_CASE("what is explainable beside a wrong gain is measured, and the gain is 
     CHECK(d.ceiling.share != d.ladder[0].share);  // the noise that is left is no copy of what the audit takes
 }
 
-namespace {
-
-/// Records with 0.3 N more Coulomb friction than documented, diagnosed by tasks in this order.
-DiagnosisResult more_friction(const ParallelFor& tasks)
+TEST_CASE("more friction is named, sized and halves nothing but the gap", "[gap]")
 {
     Machine m;
     m.coulomb = 2.3;
     DiagnosisOptions options;
     options.ensemble = 4;
-    return test::answer(nominal_joint(), records_of(m), tasks, options);
-}
-
-}  // namespace
-
-TEST_CASE("more friction is named, sized and halves nothing but the gap", "[gap]")
-{
-    const auto result = more_friction(test::in_order);
+    const auto result = test::answer(nominal_joint(), records_of(m), test::in_order, options);
     const auto& d = result.diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     REQUIRE(!d.effects.empty());
@@ -177,14 +162,6 @@ TEST_CASE("more friction is named, sized and halves nothing but the gap", "[gap]
     CHECK(d.effects[0].probability > 0.5);
     CHECK(d.overall.before > 2 * d.overall.after);
     CHECK(d.overall.after < 1.3);
-}
-
-TEST_CASE("the order of the tasks changes no bit of a diagnosis", "[gap][slow]")
-{
-    const auto first = more_friction(test::in_order), again = more_friction(backwards);
-    REQUIRE(!first.diagnosis.effects.empty());
-    CHECK(again.diagnosis.effects[0].parameters[0].value == first.diagnosis.effects[0].parameters[0].value);
-    CHECK(again.diagnosis.overall.after == first.diagnosis.overall.after);
 }
 
 TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was fitted and names nothing",

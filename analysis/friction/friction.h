@@ -42,11 +42,12 @@ struct PositionRipple {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"amplitude", Quantity::effort, any_finite, Need::optional, "amplitude"}, self.amplitude);
+        visit.number({"amplitude", Quantity::effort, any_finite, Need::optional, "amplitude of sin(n q + phase)"},
+                     self.amplitude);
         visit.number(
             {"periods", Quantity::per_position, positive, Need::optional, "angular wave number n in sin(n q + phase)"},
             self.periods);
-        visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase"}, self.phase);
+        visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase at q = 0"}, self.phase);
         visit.number({"second_amplitude", Quantity::effort, any_finite, Need::optional, "amplitude of sin(2 n q + …)"},
                      self.second_amplitude);
         visit.number({"second_phase", Quantity::angle, any_finite, Need::optional, "phase of the second harmonic"},

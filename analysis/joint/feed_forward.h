@@ -98,10 +98,11 @@ struct Dither {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"amplitude", Quantity::command, not_negative, Need::optional, "amplitude, 0 for none"},
+        visit.number({"amplitude", Quantity::command, not_negative, Need::optional,
+                      "amplitude A of A sin(ω t) added to the command, 0 for none"},
                      self.amplitude);
         visit.number({"frequency", Quantity::angular_frequency, positive, Need::optional,
-                      "angular frequency; of a sampled loop below half its sampling rate"},
+                      "angular frequency ω; of a sampled loop below half its sampling rate"},
                      self.frequency);
     }
 };

@@ -12,10 +12,11 @@ struct PeriodicForce {
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
     {
-        visit.number({"amplitude", Quantity::effort, any_finite, Need::optional, "amplitude"}, self.amplitude);
-        visit.number({"frequency", Quantity::angular_frequency, positive, Need::optional, "angular frequency"},
+        visit.number({"amplitude", Quantity::effort, any_finite, Need::optional, "amplitude A of A sin(ω t + phase)"},
+                     self.amplitude);
+        visit.number({"frequency", Quantity::angular_frequency, positive, Need::optional, "angular frequency ω"},
                      self.frequency);
-        visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase"}, self.phase);
+        visit.number({"phase", Quantity::angle, any_finite, Need::optional, "phase at t = 0"}, self.phase);
     }
 };
 
@@ -36,9 +37,9 @@ struct Load {
             Field{"gravity_amplitude", Quantity::effort, any_finite, Need::optional, "m g l of a pendulum load"}.called(
                 "m g l", "gravity amplitude"),
             self.gravity_amplitude);
-        visit.number(
-            {"gravity_phase", Quantity::angle, any_finite, Need::optional, "q at which gravity pulls nothing, negated"},
-            self.gravity_phase);
+        visit.number({"gravity_phase", Quantity::angle, any_finite, Need::optional,
+                      "phase of gravity, −amplitude · sin(q + phase)"},
+                     self.gravity_phase);
         visit.table("cogging", "position-locked force", self.cogging);
         visit.table("disturbance", "time-locked force", self.disturbance);
     }

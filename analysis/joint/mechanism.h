@@ -64,7 +64,7 @@ struct Mechanism {
     static void fields(Self& self, Visitor& visit)
     {
         visit.choice("motion", "what the joint does; units follow", self.motion, motions);
-        visit.choice("model", "lumped model of the paper", self.model, models);
+        visit.choice("model", "how many masses move, and what connects them", self.model, models);
         if (self.model == Model::single_mass) {
             visit.number(
                 Field{"inertia", Quantity::inertia, positive, Need::required, "moving inertia m", Role::inertia}.called(

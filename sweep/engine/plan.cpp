@@ -67,7 +67,8 @@ void check_axes(const Joint& given, const std::vector<Axis>& axes)
     std::vector<const double*> taken;
     for (const Axis& axis : axes) {
         const double* target = find_parameter(joint, axis.path);
-        if (!target) throw std::invalid_argument(fmt::format("axis \"{}\" is no number of this joint", axis.path));
+        if (!target)
+            throw std::invalid_argument(fmt::format("axis \"{}\" is not a parameter of this joint", axis.path));
         if (std::ranges::find(taken, target) != taken.end())
             throw std::invalid_argument(fmt::format("axis \"{}\" is given twice", axis.path));
         taken.push_back(target);

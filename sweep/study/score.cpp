@@ -52,7 +52,7 @@ std::string joined(const EffectSet& set)
 
 double median(std::vector<double> values)
 {
-    if (values.empty()) return unknown_value;
+    if (values.empty()) return missing;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2) return *middle;

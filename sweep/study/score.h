@@ -1,13 +1,12 @@
 // How well answers to blind test cases agree with what was put into them. Plain data in, plain data out.
 #pragma once
-#include <limits>
+#include "analysis/results/point.h"
+
 #include <map>
 #include <string>
 #include <vector>
 
 namespace stickslip::blind {
-
-inline constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 
 /// Effects that are said, or known, to act together.
 using EffectSet = std::vector<std::string>;
@@ -18,7 +17,7 @@ struct Answer {
     std::vector<EffectSet> ranked;          ///< best first
     std::vector<double> probabilities;      ///< of the ranked sets; may be shorter or empty
     std::vector<EffectSet> ambiguous_with;  ///< what cannot be distinguished from the first
-    double gap_before = unknown_value, gap_after = unknown_value;
+    double gap_before = missing, gap_after = missing;
 };
 
 /// What a generator put into one case.
@@ -28,7 +27,7 @@ struct Truth {
     EffectSet equivalent;  ///< other names for the very same motion
     std::string kind, strength, engine, joint, columns;
     bool dirty = false;  ///< the joint was not quite its document; `equivalent` of no effect are corrections of it
-    double gap_before = unknown_value, gap_after = unknown_value;
+    double gap_before = missing, gap_after = missing;
 };
 
 /// A share with its count; the share of nothing is NaN.
@@ -39,7 +38,7 @@ struct Share {
         right += is_right;
         ++of;
     }
-    double value() const { return of ? static_cast<double>(right) / of : unknown_value; }
+    double value() const { return of ? static_cast<double>(right) / of : missing; }
 };
 
 /// Answers whose first probability fell into [low, high).
@@ -52,9 +51,9 @@ struct ReliabilityBin {
 struct Judgement {
     std::string name, kind, strength, engine, expected, answered;
     bool answered_at_all = false, right = false, right_or_ambiguous = false;
-    double probability = unknown_value;   ///< of the first answer
-    double shrink = unknown_value;        ///< gap after / before, as answered
-    double truth_shrink = unknown_value;  ///< the same for the true effect with its true numbers
+    double probability = missing;   ///< of the first answer
+    double shrink = missing;        ///< gap after / before, as answered
+    double truth_shrink = missing;  ///< the same for the true effect with its true numbers
 };
 
 struct Score {
@@ -69,10 +68,10 @@ struct Score {
     Share abstained;     ///< causes outside the catalogue answered with unknown
     Share insufficient;  ///< hopeless cases answered with insufficient-data
     Share verdicts;
-    double brier = unknown_value;  ///< of the first probability as a forecast that the first answer is right
-    double calibration_error = unknown_value;  ///< expected calibration error over the bins
+    double brier = missing;              ///< of the first probability as a forecast that the first answer is right
+    double calibration_error = missing;  ///< expected calibration error over the bins
     std::vector<ReliabilityBin> reliability;
-    double median_shrink = unknown_value, median_truth_shrink = unknown_value;
+    double median_shrink = missing, median_truth_shrink = missing;
     Share within_tenth;            ///< named cases whose shrink is at most 1.1 times the truth's
     Share explained_within_tenth;  ///< the same whose explained part of the squares is the truth's within 0.1
     std::map<std::string, Share> by_effect, by_strength, by_engine, by_joint, by_columns, by_kind;

@@ -37,10 +37,10 @@ std::vector<std::string> ends_of_range(const DesignAnswer& a, const DesignUnits&
     const auto at = [](double value, double end) { return std::abs(value - end) <= touching * std::abs(end); };
     const auto check = [&](const char* symbol, double best, const Interval& range, auto words) {
         if (range.low > 0 && at(best, range.low))
-            texts.push_back(std::string("The best ") + symbol + " is the least that was searched, " + words(range.low) +
-                            ": a smaller one may be better. Lower the range.");
+            texts.push_back(std::string("The best ") + symbol + " lies at the lower limit of the search, " +
+                            words(range.low) + ": a smaller one may be better. Lower the range.");
         if (at(best, range.high))
-            texts.push_back(std::string("The best ") + symbol + " is the greatest that was searched, " +
+            texts.push_back(std::string("The best ") + symbol + " lies at the upper limit of the search, " +
                             words(range.high) + ": a greater one may be better. Raise the range.");
     };
     check("k_{p}", a.design.best.k_p, a.range.k_p, [&](double v) { return u.stiffness(v); });
@@ -138,7 +138,7 @@ std::string design_text(const DesignAnswer& a)
 {
     std::string text = design_verdict_text(a);
     if (a.design.decided && a.design.feasible)
-        for (const auto& end : ends_of_range(a, DesignUnits{units_of(a.joint)})) text += " On the search limit: " + end;
+        for (const auto& end : ends_of_range(a, DesignUnits{units_of(a.joint)})) text += " " + end;
     return text;
 }
 

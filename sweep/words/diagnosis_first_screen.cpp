@@ -31,8 +31,9 @@ bool judged_by_force(const Diagnosis& d)
 /// "2.31", "2.4e+04": a gap over the noise floor, which can be anything.
 std::string as_multiple(double gap)
 {
-    constexpr double long_number = 1000;
-    return gap < long_number ? fmt::format("{:.2f}", gap) : fmt::format("{:.2g}", gap);
+    if (!(gap >= 1000 && std::isfinite(gap))) return fmt::format("{:.2f}", gap);
+    const double unit = std::pow(10, std::floor(std::log10(gap)) - 2);  // three digits, no exponent
+    return fmt::format("{:.0f}", std::round(gap / unit) * unit);
 }
 
 std::string rivals_text(const Diagnosis& d)

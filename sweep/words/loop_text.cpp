@@ -25,7 +25,7 @@ std::string why_text(WhyNot why)
         case WhyNot::small_signal:
             return "small motions about steady sliding neither reach nor move it";
         case WhyNot::rounding:
-            return "it is no linear term: sliding holds up to a jitter of its size";
+            return "it is not linear: steady sliding jitters by about its size";
         case WhyNot::place:
             return "it depends on position: steady sliding has no one linear system";
         case WhyNot::time:

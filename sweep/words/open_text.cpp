@@ -12,13 +12,13 @@ std::string open_ending_text(const NonlinearVerdict& verdict)
     return "Undecided " +
            std::string(verdict.outcome == Outcome::stable_sliding
                            ? "whether larger disturbances also end in steady sliding"
-                           : "how the motion after the disturbance ends") +
+                           : "how the motion ends after the disturbance") +
            (reason.empty() ? "." : ": " + reason + ".");
 }
 
 std::string open_text(const NonlinearVerdict& verdict)
 {
-    return open_ending_text(verdict) + " About small disturbances:";
+    return open_ending_text(verdict) + " Small disturbances:";
 }
 
 std::string contradicted_text(const std::vector<std::string>& terms, bool grows)

@@ -38,7 +38,7 @@ std::string reason_text(Reason reason)
             return "there is no such joint: these values together break a rule between keys, which evaluate with --set "
                    "names";
         case Reason::diverges:
-            return "the motion runs away from steady sliding: the loop does not bring it back";
+            return "the motion runs away from steady sliding, and the loop does not return it";
     }
     return "unknown";
 }

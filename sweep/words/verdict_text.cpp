@@ -76,7 +76,7 @@ std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistabl
     if (v.steady.slides_at != v.steady.velocity) speed += " (commanded: " + in_words(v.steady.velocity) + ")";
     if (v.state_variable.stable && bistable)
         return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance " +
-               (rests ? "brings it to rest for good" : "ends in stick-slip for good");
+               (rests ? "brings it to rest for good" : "leads to lasting stick-slip");
     if (v.state_variable.stable) return "Slides smoothly at " + speed;
     if (v.state_variable.neutral)
         return "Neutral: small disturbances of sliding at " + speed + " neither decay nor grow";

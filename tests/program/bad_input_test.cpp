@@ -118,6 +118,18 @@ TEST_CASE("a wrong command line is told what is allowed and the nearest name", "
     }
 }
 
+TEST_CASE("tolerances of check are shares or per cent", "[program]")
+{
+    for (const std::string given : {"0.5", "50%", "'50 %'"}) {
+        const auto run = stickslip("check a.toml b.json --number-tolerance 0.1 --gap-tolerance " + given);
+        INFO(given << "\n" << run.output);
+        CHECK(run.exit_code == 2);
+        CHECK_THAT(run.output, Contains("a.toml") && !Contains("-tolerance"));  // it is the file that is missing
+    }
+    const auto wrong = stickslip("check a.toml b.json --gap-tolerance 50x");
+    CHECK_THAT(wrong.output, Contains("--gap-tolerance: got \"50x\", expected a share"));
+}
+
 TEST_CASE("options take no number that means nothing", "[program][slow]")
 {
     struct Option {

@@ -61,6 +61,9 @@ TEST_CASE("boundary answers impossible requests with what is possible", "[progra
     CHECK(outside.exit_code == 0);
     CHECK_THAT(outside.output,
                Contains("No linear boundary") && Contains("stable throughout") && Contains("78.04356 kN/m"));
+    const auto endless = stickslip(joint + "--along control.k_p=1..");
+    CHECK(endless.exit_code == 2);
+    CHECK_THAT(endless.output, Contains("--along control.k_p: got \"1..\", expected a range such as"));
     const auto misspelt = stickslip(joint + "--along control.kp=1..2");
     CHECK(misspelt.exit_code == 2);
     CHECK_THAT(misspelt.output, Contains("did you mean \"control.k_p\"?"));

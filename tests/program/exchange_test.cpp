@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <sstream>
+#include <string>
+
 using program::shell;
 using program::stickslip;
 
@@ -32,6 +35,13 @@ TEST_CASE("list keys shows words as well as numbers without a file")
     for (const char* text : {"control.reference_velocity", "true, false", "friction.motor.law", "single-mass, two-mass",
                              "joint.transmission.stiffness", "required"})
         CHECK_THAT(listed.output, Catch::Contains(text));
+    // a terminal shows its lines: a long cell is wrapped
+    std::istringstream lines(listed.output);
+    for (std::string line; std::getline(lines, line);) {
+        CAPTURE(line);
+        CHECK(line.size() <= 160);
+        CHECK(line.find_last_not_of(' ') + 1 == line.size());
+    }
     const auto json = nlohmann::json::parse(stickslip("list keys --json").output).at("entries");
     CHECK(json.at(0).at("path") == "joint.motion");
     CHECK(json.at(0).at("value") == "prismatic");

@@ -15,6 +15,7 @@ TEST_CASE("figures writes the page, the charts and the drawings, and meets every
     program::Folder folder;
     const auto run = stickslip("figures --json -o '" + (folder / "paper") + "'");
     CHECK(run.exit_code == 0);
+    CHECK(program::read(folder / "paper/figures.json") == run.output);
     const auto numbers = nlohmann::json::parse(run.output).at("numbers");
     CHECK(numbers.size() >= 16);
     for (const auto& n : numbers) CHECK(n.at("relative_difference").get<double>() < 1e-6);
@@ -31,6 +32,8 @@ TEST_CASE("evaluate -o draws what the linear theory says of a joint", "[program]
     const auto run =
         stickslip("evaluate examples/02-ball-screw/joint-with-memory.toml -o '" + (folder / "joint") + "'");
     CHECK(run.exit_code == 0);
+    const auto printed = stickslip("evaluate examples/02-ball-screw/joint-with-memory.toml --json");
+    CHECK(program::read(folder / "joint/evaluation.json") == printed.output);
     CHECK_THAT(run.output, Catch::Matchers::Contains("report.html"));
     for (const char* id : {"k-v-demanded", "response-curve"})
         CHECK_THAT(program::read(folder / "joint/report.html"), Catch::Matchers::Contains(id));

@@ -49,7 +49,7 @@ TEST_CASE("a sweep's page says that points come to rest for good", "[held]")
         CHECK(page.find(words) == std::string::npos);
 }
 
-TEST_CASE("a design that slides or rests is told so on its sweep's page", "[held]")
+TEST_CASE("a design that slides or rests is told so on its sweep's page", "[held][slow]")
 {
     const Folder folder;
     const auto spec = folder.write("spec.toml", spec_text(600));
@@ -63,7 +63,7 @@ TEST_CASE("a design that slides or rests is told so on its sweep's page", "[held
     CHECK(nlohmann::json::parse(again.output).at("held") == 9);
 }
 
-TEST_CASE("what changed between a design in stick-slip and one at rest", "[held]")
+TEST_CASE("what changed between a design in stick-slip and one at rest", "[held][slow]")
 {
     const Folder folder;
     auto text = spec_text(20);

@@ -131,7 +131,7 @@ TEST_CASE("an evaluation that the usual work does not decide says how to allow m
     INFO(cut.output);
     CHECK(cut.exit_code == 4);
     CHECK_THAT(cut.output, Contains("undecided") && Contains("--effort 10"));
-    CHECK(cut.output.starts_with("Undecided how the motion after the disturbance ends: "));
+    CHECK(cut.output.starts_with("Undecided how the motion ends after the disturbance: "));
     const auto json = Json::parse(stickslip(joint + "--effort 0.02 --json").output);
     CHECK(json["decided"] == false);
     CHECK(json["nonlinear"]["reason_detail"] == "limit-of-work");

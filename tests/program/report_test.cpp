@@ -168,7 +168,7 @@ TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and
     folder.write("a/answer.json", "not ours");
     const auto foreign = stickslip(again);
     CHECK(foreign.exit_code == 2);
-    CHECK_THAT(foreign.output, Contains("answer.json: is no answer of a sweep"));
+    CHECK_THAT(foreign.output, Contains("answer.json: is not a sweep answer"));
 }
 
 TEST_CASE("piped output has no colours and no progress", "[program][slow]")

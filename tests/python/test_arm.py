@@ -195,7 +195,7 @@ def test_a_map_over_the_pose_says_that_only_the_stretched_arm_sticks(urdf):
         assert numpy.allclose(maps["k_cr"][:, i], critical(inertia), rtol=1e-6)
         assert list(maps["state_variable_stable"].values[:, i]) == list(critical(inertia) < between)
     assert not maps["state_variable_stable"].values[0, 0] and maps["state_variable_stable"].values[-1, 0]  # stretched, folded
-    with pytest.raises(StickslipError, match="pose:1:8: lowr: is no joint of the robot"):
+    with pytest.raises(StickslipError, match="pose:1:8: lowr: is not a joint of the robot"):
         stickslip.sweep_poses(urdf, "upper", {"lowr": elbow}, joint)
     with pytest.raises(StickslipError, match="both have lower"):
         stickslip.sweep_poses(urdf, "upper", {"lower": elbow}, joint, at={"lower": 1})

@@ -51,7 +51,7 @@ MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& co
         if (std::isnan(value))
             throw std::invalid_argument(c.less.empty()
                                             ? c.path + ": is 0 or no number of this joint"
-                                            : c.path + " − " + c.less + ": is no positive number of this joint");
+                                            : c.path + " − " + c.less + ": is not a positive parameter of this joint");
         double* less = c.less.empty() ? nullptr : find_parameter(joint_, c.less);
         numbers_.push_back({find_parameter(joint_, c.path), less, value, c.scale});
     }

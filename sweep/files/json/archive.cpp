@@ -29,7 +29,7 @@ double read_number(const Json& json)
     if (json.is_null()) return missing;
     if (json == "inf") return std::numeric_limits<double>::infinity();
     if (json == "-inf") return -std::numeric_limits<double>::infinity();
-    throw std::invalid_argument("is no number");
+    throw std::invalid_argument("is not a number");
 }
 
 }  // namespace stickslip::archive

@@ -90,7 +90,7 @@ Code read_code(const Json& json)
     if (json.is_string())
         for (std::size_t i = 0; !Names<Code>::at(i).empty(); ++i)
             if (Names<Code>::at(i) == json.get_ref<const std::string&>()) return static_cast<Code>(i);
-    throw std::invalid_argument("is no known code");
+    throw std::invalid_argument("is not a known code");
 }
 
 template <class T>
@@ -107,7 +107,7 @@ struct Kind<std::vector<T>> {
     }
     static void read_into(const Json& json, std::vector<T>& list)
     {
-        if (!json.is_array()) throw std::invalid_argument("is no list");
+        if (!json.is_array()) throw std::invalid_argument("is not a list");
         list.resize(json.size());
         for (std::size_t i = 0; i < list.size(); ++i) read(json[i], list[i]);
     }
@@ -123,7 +123,7 @@ struct Kind<std::array<T, n>> {
     }
     static void read_into(const Json& json, std::array<T, n>& list)
     {
-        if (!json.is_array() || json.size() != n) throw std::invalid_argument("is no list of the right length");
+        if (!json.is_array() || json.size() != n) throw std::invalid_argument("is not a list of the right length");
         for (std::size_t i = 0; i < n; ++i) read(json[i], list[i]);
     }
 };
@@ -146,7 +146,7 @@ struct Kind<std::complex<T>> {
     }
     static void read_into(const Json& json, std::complex<T>& value)
     {
-        if (!json.is_array() || json.size() != 2) throw std::invalid_argument("is no complex number");
+        if (!json.is_array() || json.size() != 2) throw std::invalid_argument("is not a complex number");
         value = {read_number(json[0]), read_number(json[1])};
     }
 };
@@ -173,7 +173,7 @@ template <class T>
 void read(const Json& json, T& value)
 {
     if constexpr (HasFields<T>) {
-        if (!json.is_object()) throw std::invalid_argument("is no object");
+        if (!json.is_object()) throw std::invalid_argument("is not an object");
         Reader reader{json};
         fields(reader, value);
     } else if constexpr (std::same_as<T, double>) {
@@ -184,10 +184,10 @@ void read(const Json& json, T& value)
         if (!json.is_boolean()) throw std::invalid_argument("is neither true nor false");
         value = json.get<bool>();
     } else if constexpr (std::is_integral_v<T>) {
-        if (!json.is_number_integer()) throw std::invalid_argument("is no whole number");
+        if (!json.is_number_integer()) throw std::invalid_argument("is not a whole number");
         value = json.get<T>();
     } else if constexpr (std::same_as<T, std::string> || std::same_as<T, std::string_view>) {
-        if (!json.is_string()) throw std::invalid_argument("is no text");
+        if (!json.is_string()) throw std::invalid_argument("is not text");
         if constexpr (std::same_as<T, std::string>)
             value = json.get<std::string>();
         else

@@ -86,7 +86,7 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
     try {
         const Json json = Json::parse(in);
         if (json.at("format") != format_name && json.at("format") != earlier_name)
-            throw BadInput(fmt::format("{}: is no baseline of this program: \"format\" is {}, expected \"{}\"",
+            throw BadInput(fmt::format("{}: is not a baseline of this program: \"format\" is {}, expected \"{}\"",
                                        file.string(), json.at("format").dump(), format_name));
         const auto& entries = json.at("boundaries");
         for (const auto& entry : entries) {
@@ -100,7 +100,7 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file)
         const auto* broken = dynamic_cast<const Json::parse_error*>(&e);  // the library's own words are for programmers
         const std::size_t at_byte = broken ? broken->byte : 0;
         throw BadInput(
-            fmt::format("{}: is no baseline of this program: it is no complete JSON, or lacks a field{}; write "
+            fmt::format("{}: is not a baseline of this program: it is not complete JSON, or lacks a field{}; write "
                         "it anew with --update",
                         file.string(), at_byte > 0 ? fmt::format("; reading stopped at byte {}", at_byte) : ""));
     } catch (const std::invalid_argument& e) {

@@ -123,7 +123,7 @@ Calibration parse_calibration(const std::string& text)
         for (const auto& one : json.at("cases")) c.cases.push_back(case_from(one));
         return c;
     } catch (const nlohmann::json::exception& e) {
-        throw std::invalid_argument(std::string("is no calibration: ") + e.what());
+        throw std::invalid_argument(std::string("is not a calibration: ") + e.what());
     }
 }
 

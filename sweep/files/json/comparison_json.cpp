@@ -120,7 +120,7 @@ GapBaseline read_gap_baseline(const std::filesystem::path& file)
     const auto format = json.is_object() && json.contains("format") ? json.at("format").dump() : "missing";
     if (format != fmt::format("\"{}\"", baseline_format))
         throw BadInput(
-            fmt::format("{}: is no baseline of a gap: \"format\" is {}, expected \"{}\"; write it anew with "
+            fmt::format("{}: is not a gap baseline: \"format\" is {}, expected \"{}\"; write it anew with "
                         "--update",
                         file.string(), format, baseline_format));
     try {

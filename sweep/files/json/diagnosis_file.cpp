@@ -89,7 +89,7 @@ Json read_json(const std::filesystem::path& file)
     try {
         return Json::parse(in);
     } catch (const Json::parse_error& e) {
-        throw BadInput(fmt::format("{}: is no complete JSON; reading stopped at byte {}", file.string(), e.byte));
+        throw BadInput(fmt::format("{}: is not complete JSON; reading stopped at byte {}", file.string(), e.byte));
     } catch (const Json::out_of_range&) {
         throw BadInput(file.string() + ": has a number beyond the largest that a double holds, 1.8e308");
     }
@@ -100,7 +100,7 @@ DiagnosisFacts diagnosis_facts(const Json& json, const std::string& source)
     const auto format = json.is_object() && json.contains("format") ? json.at("format").dump() : "missing";
     if (format != fmt::format("\"{}\"", format_name))
         throw BadInput(
-            fmt::format("{}: is no diagnosis: \"format\" is {}, expected \"{}\"", source, format, format_name));
+            fmt::format("{}: is not a diagnosis: \"format\" is {}, expected \"{}\"", source, format, format_name));
     try {
         auto facts = facts_from(json);
         facts.source = source;

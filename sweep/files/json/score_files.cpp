@@ -30,7 +30,7 @@ std::vector<EffectSet> effect_sets(const Json& j)
 
 double number_or_nan(const Json& j, const char* key)
 {
-    return j.contains(key) && j[key].is_number() ? j[key].get<double>() : unknown_value;
+    return j.contains(key) && j[key].is_number() ? j[key].get<double>() : missing;
 }
 
 /// Reads {case: …} with one reader a case; whatever goes wrong is reported with the name of the case.

@@ -24,7 +24,7 @@ std::optional<SweepAnswer> read_sweep_answer(const std::filesystem::path& direct
     if (!file) return std::nullopt;
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     const auto json = archive::Json::parse(text, nullptr, false);
-    if (!json.is_object()) throw BadInput(path.string() + ": is no answer of a sweep; remove it to have it made again");
+    if (!json.is_object()) throw BadInput(path.string() + ": is not a sweep answer; remove it to have it made again");
     const auto says = [&](const char* key, std::string_view value) {
         return json.contains(key) && json[key].is_string() && json[key].get_ref<const std::string&>() == value;
     };

@@ -95,7 +95,7 @@ class LayoutReader {
         const Signal* signal = signal_named(name);
         if (!signal)
             complaints_.add(place, path + "." + name,
-                            "is no signal of a record, expected " + listed(names_) + did_you_mean(name, names_));
+                            "is not a signal of a record, expected " + listed(names_) + did_you_mean(name, names_));
         return signal;
     }
 
@@ -106,7 +106,7 @@ class LayoutReader {
         if (!text || signal_named(name) || !signal_named(text->get())) return false;
         complaints_.add(
             Place(node.source()), path + "." + name,
-            "is no signal of a record, " + text->get() + " is: expected " + text->get() + " = \"" + name + "\"");
+            "is not a signal of a record, " + text->get() + " is: expected " + text->get() + " = \"" + name + "\"");
         return true;
     }
 

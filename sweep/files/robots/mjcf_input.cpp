@@ -28,7 +28,7 @@ void MjcfInput::include(pugi::xml_node node, const std::filesystem::path& folder
             pugi::xml_document other;
             const std::string text = read_text(path);
             if (const auto result = other.load_buffer(text.data(), text.size()); !result)
-                throw BadInput(path.string() + ": is no XML: " + result.description());
+                throw BadInput(path.string() + ": is not XML: " + result.description());
             include(other.document_element(), folder, depth + 1);
             for (const auto& part : other.document_element().children()) node.insert_copy_before(part, child);
             node.remove_child(child);

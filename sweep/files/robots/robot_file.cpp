@@ -79,7 +79,7 @@ std::vector<double> read_pose(const Robot& robot, const std::filesystem::path& f
         if (found == robot.joints.end() || found->kind == RobotJointKind::fixed) {
             complaints.add(
                 node->source(), name,
-                "is no joint of the robot; joints are " + files::listed(names) + files::did_you_mean(name, names));
+                "is not a joint of the robot; joints are " + files::listed(names) + files::did_you_mean(name, names));
             continue;
         }
         const Motion motion = found->kind == RobotJointKind::hinge ? Motion::revolute : Motion::prismatic;

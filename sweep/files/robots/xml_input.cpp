@@ -24,7 +24,7 @@ std::string line_of(const std::string& text, std::ptrdiff_t offset)
 XmlFile::XmlFile(const std::filesystem::path& file) : name_(file.string()), text_(read_text(file))
 {
     const auto result = document_.load_buffer(text_.data(), text_.size());
-    if (!result) throw BadInput(name_ + line_of(text_, result.offset) + ": is no XML: " + result.description());
+    if (!result) throw BadInput(name_ + line_of(text_, result.offset) + ": is not XML: " + result.description());
 }
 
 std::string XmlFile::place(const pugi::xml_node& node) const

@@ -78,7 +78,7 @@ bool LineStream::next(std::string_view& line)
         const void* stop = std::memchr(from, line_end_, end_ - begin_);
         if (!stop && end_ - begin_ > longest_line)
             throw BadInput(name_ + ":" + std::to_string(line_number_ + 1) +
-                           ":1: the line is longer than 1 MiB, this is no table of numbers");
+                           ":1: the line is longer than 1 MiB, this is not a table of numbers");
         if (!stop && !finished_) {
             fill();
             continue;

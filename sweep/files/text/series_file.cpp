@@ -103,7 +103,7 @@ TimeSeries series_from(files::LineStream& lines, const std::filesystem::path& fi
             columns = named(row, column, quantity, place);
         } else {
             if (!numbers)
-                throw BadInput(place + ": is no row of two numbers, time and " + std::string(column) + ": \"" +
+                throw BadInput(place + ": is not a row of two numbers, time and " + std::string(column) + ": \"" +
                                std::string(text.substr(0, longest_shown)) + "\"");
             if (row.size() != columns.count)
                 throw BadInput(place + ": has " + std::to_string(row.size()) + " cells, the rows above have " +

@@ -197,7 +197,7 @@ UnitReading unit_for(std::string_view unit_text, Quantity quantity, Units units)
     if (!reading.error.empty()) {
         reading.error += ", expected " + (expected == "1" ? "a number without unit" : expected);
     } else if (reading.unit.dimension != target.dimension) {
-        reading.error = in_quotes(trimmed(unit_text)) + " is the unit of something else, expected " +
+        reading.error = in_quotes(trimmed(unit_text)) + " is not a unit of this quantity, expected " +
                         (expected == "1" ? "a number without unit" : expected);
     }
     reading.unit.offset -= target.offset;

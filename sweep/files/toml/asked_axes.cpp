@@ -23,7 +23,7 @@ Parameter leaf_of(Joint& joint, const std::string& path, const std::string& opti
 {
     for (const auto& leaf : parameters(joint))
         if (leaf.value == find_parameter(joint, path)) return leaf;
-    throw BadInput(fmt::format("{} {}: is no number of this joint{}", option, path,
+    throw BadInput(fmt::format("{} {}: is not a parameter of this joint{}", option, path,
                                files::did_you_mean(path, files::numeric_paths(joint))));
 }
 
@@ -90,8 +90,9 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
     for (const char* name : {":log", ":linear"})
         if (range.ends_with(name)) scale = name, range.resize(range.size() - scale.size());
     const auto dots = range.find("..");
-    if (dots == std::string::npos)
-        throw BadInput(fmt::format("{} {}: got {}, expected a range such as {}=1e3..1e6", option, path, range, path));
+    if (dots == std::string::npos || dots == 0 || dots + 2 == range.size())
+        throw BadInput(
+            fmt::format("{} {}: got \"{}\", expected a range such as {}=1e3..1e6", option, path, range, path));
     axis.values = {number_from(joint, path, range.substr(0, dots), option),
                    number_from(joint, path, range.substr(dots + 2), option)};
     for (const double end : axis.values) {

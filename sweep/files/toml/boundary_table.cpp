@@ -56,9 +56,9 @@ void read_boundary_lists(const toml::table& table, const Joint& given, BoundaryS
             if (find_parameter(joint, path))
                 found.push_back(text);
             else
-                complaints.add(
-                    place, "boundary." + key,
-                    "is \"" + path + "\", which is no number of this joint" + did_you_mean(path, numeric_paths(joint)));
+                complaints.add(place, "boundary." + key,
+                               "is \"" + path + "\", which is not a parameter of this joint" +
+                                   did_you_mean(path, numeric_paths(joint)));
         }
         return found;
     };

@@ -133,7 +133,7 @@ void apply_setting(Joint& joint, std::string_view setting)
     const auto equals = setting.find('=');
     const std::string_view path = files::trimmed(setting.substr(0, equals));
     if (equals == std::string_view::npos || path.empty()) {
-        complaints.add({}, "", "is no setting, expected path=value such as control.k_p=2e4");
+        complaints.add({}, "", "is not a setting, expected path=value such as control.k_p=2e4");
         complaints.throw_if_any();
     }
     const std::string value(files::trimmed(setting.substr(equals + 1)));

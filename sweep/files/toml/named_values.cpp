@@ -50,7 +50,7 @@ std::optional<Parameter> find_leaf(Joint& joint, const std::string& path, const 
     for (const auto& p : parameters(joint))
         if (p.value == value && value) return p;
     complaints.add(place, std::string(prefix) + "." + path,
-                   "is no number of this joint" + did_you_mean(path, numeric_paths(joint)));
+                   "is not a parameter of this joint" + did_you_mean(path, numeric_paths(joint)));
     return {};
 }
 

@@ -90,7 +90,7 @@ Coordinate coordinate_from(const Joint& joint, const std::string& text)
     Joint copy = joint;
     for (const auto& path : {c.path, c.less})
         if (!path.empty() && !find_parameter(copy, path))
-            throw BadInput(fmt::format("{}: is no number of this joint{}", path,
+            throw BadInput(fmt::format("{}: is not a parameter of this joint{}", path,
                                        files::did_you_mean(path, files::numeric_paths(joint))));
     if (std::isnan(value_of(joint, c)))
         throw BadInput(fmt::format("{}: is {} in this joint, so a share of it means nothing", text,

@@ -126,7 +126,7 @@ Registers registers_of(const Servo& servo, const toml::table& control, const Pla
     if (const auto period = control["period"].value<double>()) r.period = *period;
     const toml::node* node = control.get("registers");
     if (node && !node->is_table()) {
-        complaints.add(node->source(), "control.registers", "is no table, expected { " + joined(names) + " }");
+        complaints.add(node->source(), "control.registers", "is not a table, expected { " + joined(names) + " }");
         return r;
     }
     if (node)
@@ -136,7 +136,7 @@ Registers registers_of(const Servo& servo, const toml::table& control, const Pla
                                             [&](const Register& k) { return k.name == name; });
             const auto number = value.value<double>();
             if (known == servo.registers.end())
-                complaints.add(key.source(), path, "is no register of this servo, expected " + joined(names));
+                complaints.add(key.source(), path, "is not a register of this servo, expected " + joined(names));
             else if (!number || !(*number >= known->least && *number <= known->most))
                 complaints.add(
                     value.source(), path,

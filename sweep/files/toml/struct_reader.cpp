@@ -33,7 +33,7 @@ std::string read_number(const toml::node& node, const Field& f, Units units, dou
     }
     const bool unlimited = given == infinity && value == infinity;
     if (!unlimited && !f.range.holds(given))
-        return "is " + written + (std::isfinite(given) ? "" : ", which is no finite number") + ", expected " +
+        return "is " + written + (std::isfinite(given) ? "" : ", which is not finite") + ", expected " +
                allowed_text(f, units);
     value = given;
     return "";

@@ -26,7 +26,8 @@ struct Options {
     std::vector<std::string> files;  ///< records and, last, the baseline
     std::string name;
     LogOptions how;
-    GapTolerance tolerance;
+    std::string gap_tolerance = fmt::format("{:g}%", 100 * GapTolerance{}.gap);
+    std::string number_tolerance = fmt::format("{:g}%", 100 * GapTolerance{}.number);
     int threads = 0;
     bool update = false, json = false, ideal_loop = false;
 };
@@ -73,13 +74,16 @@ int check(const Options& options, const Invocation& invocation)
 
 int check_files(Options options, const Invocation& invocation)
 {
+    GapTolerance tolerance;
+    tolerance.gap = share_in(options.gap_tolerance).value();
+    tolerance.number = share_in(options.number_tolerance).value();
     options.baseline = options.files.back();
     options.files.pop_back();
     if (!options.files.empty() && options.ideal_loop)
         throw BadInput("--ideal-loop: is only for a check of boundaries; records are of the loop as it is");
     if (!options.files.empty())
         return check_gap({options.spec, options.baseline, options.junit, options.directory, options.files, options.name,
-                          options.how, options.tolerance, options.threads, options.update, options.json},
+                          options.how, tolerance, options.threads, options.update, options.json},
                          invocation);
     if (options.json) throw BadInput("--json: is only for a check of records; one of boundaries writes --junit and -o");
     return check(options, invocation);
@@ -104,12 +108,12 @@ void add_check(CommandLine& line, Invocation& invocation)
     verb.add_flag("--ideal-loop", options->ideal_loop,
                   "of boundaries: the paper's loop, no sampling, dead time, filter, lag or integral");
     verb.add_flag("--json", options->json, "print the outcome of a gap check as JSON");
-    verb.add_option("--gap-tolerance", options->tolerance.gap, "largest relative growth of the gap")
-        ->check(not_negative_number())
+    verb.add_option("--gap-tolerance", options->gap_tolerance, "largest relative growth of the gap: 0.1 or 10%")
+        ->check(not_negative_share())
         ->capture_default_str();
-    verb.add_option("--number-tolerance", options->tolerance.number,
+    verb.add_option("--number-tolerance", options->number_tolerance,
                     "largest relative change of a parameter, if it also exceeds 5 standard errors")
-        ->check(not_negative_number())
+        ->check(not_negative_share())
         ->capture_default_str();
     verb.add_option("--joint", options->name, "name of the joint in logs of several");
     add_log_options(verb, options->how);

@@ -4,6 +4,7 @@
 #include "analysis/stability/frequency_search.h"
 #include "sweep/engine/build.h"
 #include "sweep/files/json/evaluation_json.h"
+#include "sweep/files/text/whole_file.h"
 #include "sweep/files/toml/asked_axes.h"
 #include "sweep/files/toml/servo_text.h"
 #include "sweep/program/verbs/disturbance_option.h"
@@ -125,8 +126,11 @@ int evaluate(const Options& options, const Invocation& invocation)
         return found;
     }();
     const auto servo = files::servo_text(options.joint);
+    std::string json;
+    if (question.study) json = evaluation_json(e, servo).dump(2) + "\n";
+    if (!page.empty()) write_whole(std::filesystem::path(options.directory) / "evaluation.json", json);
     if (options.json) {
-        fmt::print("{}\n", evaluation_json(e, servo).dump(2));
+        fmt::print("{}", json);
     } else {
         print_text(e, servo);
         if (!page.empty()) fmt::print("report:  {}\n", page.string());
@@ -146,7 +150,8 @@ void add_evaluate(CommandLine& line, Invocation& invocation)
                     "set a parameter first: path=value, with or without a unit (control.k_p=2e4, control.V0='1 mm/s')");
     options->disturbance.add_to(verb);
     verb.add_option("-o,--output", options->directory,
-                    "also write a page with charts: both theories, disturbances, force ramps, reductions");
+                    "also write a page with charts (both theories, disturbances, force ramps, reductions) and "
+                    "evaluation.json");
     options->surroundings.add_to(verb);
     options->surroundings.add_duration_to(verb, "until the slowest mode is visible, or that of the file");
     verb.add_option("--effort", options->effort,

@@ -1,4 +1,5 @@
 // stickslip figures: the paper's figures and numbers, computed anew.
+#include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/figures_report.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace stickslip {
 namespace {
@@ -48,9 +50,11 @@ int figures(const Options& options)
             fmt::print("{:<8} {:<66} {:>16.10g} {:>16.10g} {:<8} {:.1e}\n", n.equation, plain_text(n.statement),
                        n.printed, n.computed, unit_of(n.quantity, Units(Motion::prismatic)), difference);
     }
+    const nlohmann::ordered_json answer_json{{"format", "stickslip-figures/1"}, {"numbers", std::move(numbers)}};
+    const std::string json = answer_json.dump(2) + "\n";
+    write_whole(directory / "figures.json", json);
     if (options.json)
-        fmt::print("{}\n",
-                   nlohmann::ordered_json{{"format", "stickslip-figures/1"}, {"numbers", std::move(numbers)}}.dump(2));
+        fmt::print("{}", json);
     else
         fmt::print("page: {}\n", page.string());
     return met ? exit_done : exit_not_met;
@@ -62,9 +66,10 @@ void add_figures(CommandLine& line, Invocation& invocation)
 {
     auto options = std::make_shared<Options>();
     auto verb = line.add_verb("figures", "Compute the paper's figures, lumped models and numbers");
-    verb.add_option("-o,--output", options->directory, "directory of the page, the charts and the drawings")
+    verb.add_option("-o,--output", options->directory,
+                    "directory of the page, figures.json, the charts and the drawings")
         ->capture_default_str();
-    verb.add_flag("--json", options->json, "the numbers, machine-readable");
+    verb.add_flag("--json", options->json, "print figures.json: the numbers, machine-readable");
     verb.footer("Exit 1 if a number of the paper is not reproduced.\nExample: stickslip figures -o figures");
     verb.callback([options, &invocation] { invocation.exit_code = figures(*options); });
 }

@@ -6,6 +6,7 @@
 #include "sweep/files/reference/reference_text.h"
 #include "sweep/files/toml/commented_text.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/program/verbs/columns.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/study/start/starting_joint.h"
@@ -167,36 +168,6 @@ Json key_list(const std::string& file, const std::string& model, const std::stri
     return json;
 }
 
-/// A heading and one line an entry, columns as wide as their widest text.
-void print_columns(Json list)
-{
-    if (list.empty()) return;
-    Json heading;
-    for (const auto& [key, value] : list[0].items()) {
-        std::string words = key;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        heading[key] = words;
-    }
-    list.insert(list.begin(), heading);
-    std::vector<std::size_t> widths;
-    const auto cell = [](const Json& v) {
-        return v.is_boolean() ? std::string(v.get<bool>() ? "yes" : "no") : v.get<std::string>();
-    };
-    for (const auto& entry : list) {
-        std::size_t column = 0;
-        for (const auto& value : entry) {
-            if (widths.size() <= column) widths.push_back(0);
-            widths[column] = std::max(widths[column], cell(value).size());
-            ++column;
-        }
-    }
-    for (const auto& entry : list) {
-        std::size_t column = 0;
-        for (const auto& value : entry) fmt::print("{:<{}}  ", cell(value), widths[column++]);
-        fmt::print("\n");
-    }
-}
-
 struct Options {
     std::string what, joint, law = "rate-and-state", model = "single-mass";
     bool json = false, markdown = false;
@@ -241,7 +212,7 @@ void add_list(CommandLine& line, Invocation&)
             fmt::print("{}\n",
                        Json{{"format", "stickslip-list/1"}, {"what", options->what}, {"entries", list}}.dump(2));
         else
-            print_columns(list);
+            fmt::print("{}", columns_text(list));
     });
 }
 

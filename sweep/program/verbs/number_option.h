@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace stickslip {
@@ -39,6 +40,26 @@ inline Check positive_number()
 inline Check not_negative_number()
 {
     return number_where([](double x) { return x >= 0; }, "a number of at least 0", "NONNEGATIVE");
+}
+
+/// "0.1" or "10 %" as a share.
+inline std::optional<double> share_in(std::string text)
+{
+    const bool percent = text.ends_with('%');
+    if (percent) text.erase(text.find_last_not_of(" %") + 1);
+    const auto value = number_in(text);
+    return value && percent ? std::optional(*value / 100) : value;
+}
+
+/// A share of at least 0, which may be above 1.
+inline Check not_negative_share()
+{
+    return {[](const std::string& text) -> std::string {
+                const auto value = share_in(text);
+                const bool good = value && std::isfinite(*value) && *value >= 0;
+                return good ? "" : "got \"" + text + "\", expected a share of at least 0 such as 0.1 or 10%";
+            },
+            "SHARE"};
 }
 
 inline Check between(double low, double high)

@@ -166,7 +166,7 @@ Figure model_drawing_figure(const Joint& joint, std::string id)
     auto drawing = model_drawing(joint);
     figure.finding = "The lumped model, " + drawing.title + ".";
     for (const auto& note : drawing.notes) figure.finding += " " + note + ".";
-    figure.caption = "The joint as the theory sees it, " + model_figure(joint) +
+    figure.caption = "The joint as the theory models it, " + model_figure(joint) +
                      " of the paper: friction acts between each body and the ground under it.";
     figure.picture = std::move(drawing);
     return figure;

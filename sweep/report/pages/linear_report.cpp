@@ -140,7 +140,7 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
     report.sections.insert(report.sections.begin(), model_section(joint));
     report.sections.push_back(std::move(design));
     report.not_checked = {
-        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of the linear theory.",
+        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are not part of the linear theory.",
         linear.loop.kind == LoopKind::ideal
             ? "Sampling, delay, saturation and quantisation of a digital loop."
             : "Limits, dead zones and quantisation: a linear verdict is about motions that do not reach them."};

@@ -96,7 +96,7 @@ std::vector<std::string> not_checked(const Spec& spec, const LoopUse& loop)
     else
         list.push_back("Other or larger disturbances than the stated one.");
     list.push_back(
-        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are no part of these "
+        "Terms locked to position or time (ripple, cogging, drift, periodic forces) are not part of these "
         "verdicts.");
     if (loop.kind == LoopKind::ideal) list.push_back("Sampling, saturation and quantisation of a digital loop.");
     list.push_back("Whether the parameters are those of your machine: compare records with stickslip diagnose.");

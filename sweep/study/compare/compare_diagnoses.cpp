@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace stickslip {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool holds(const std::vector<std::string>& names, const std::string& name)
 {
@@ -52,7 +49,7 @@ NumberChange alone(const FoundNumber& found, bool after)
 {
     NumberChange c{found.number.name, found.number.unit, found.of};
     (after ? c.after : c.before) = found.number;
-    c.change = c.standard_errors = nothing;
+    c.change = c.standard_errors = missing;
     return c;
 }
 

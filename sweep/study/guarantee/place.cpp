@@ -7,8 +7,6 @@
 namespace stickslip::guarantee {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 const char* model_name(Model model)
 {
     switch (model) {
@@ -38,7 +36,7 @@ double median_step(const std::vector<Record>& records)
     std::vector<double> steps;
     for (const auto& r : records)
         for (std::size_t k = 1; k < r.time.size(); ++k) steps.push_back(r.time[k] - r.time[k - 1]);
-    if (steps.empty()) return unknown;
+    if (steps.empty()) return missing;
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
     return *middle;
@@ -54,7 +52,7 @@ double noise_of_travel(const Joint& joint, const std::vector<Record>& records)
             travel = std::max(travel, high - low);
         }
     const double stated = std::hypot(joint.sensor.position_noise, joint.sensor.encoder_quantum / std::sqrt(12.0));
-    return stated > 0 && travel > 0 ? stated / travel : unknown;
+    return stated > 0 && travel > 0 ? stated / travel : missing;
 }
 
 std::string listed(const std::vector<std::string>& names)

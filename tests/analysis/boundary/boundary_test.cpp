@@ -1,6 +1,5 @@
 // Boundaries of joints, along axes and over charts, against the closed form of (34)-(35) and against each other.
 #include "analysis/boundary/kinds/boundary.h"
-#include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/trace/locate.h"
 #include "analysis/friction/time_lag.h"
 #include "analysis/joint/parameters.h"
@@ -351,33 +350,6 @@ TEST_CASE("at the edge of an area of neutral sliding no boundary is drawn, throu
         const auto followed = follow_boundaries(joint, x, around_zero, of(kind));
         REQUIRE(followed.pieces.size() == 1);
         for (const auto& p : followed.pieces[0].points) CHECK(std::abs(p.y) < 1e-9);
-    }
-}
-
-TEST_CASE("boundaries whose sides counts of roots tell lie where growth rates put them", "[boundary]")
-{
-    // m = 1 kg under a friction of 2 kN·s/m that is late by τ: without a loop it sways from τ = π m/(2 c) on. Ticks of
-    // 30 ms make a place of the loop cost a hundred times as much as one of a loop that delays nothing
-    Joint joint = example_joint(1e3, 30, 2e-3);
-    joint.mechanism.inertia = 1;
-    TimeLag law;
-    law.lag = 2e-4;
-    law.curve.law = CoulombViscous{20, 2000};
-    joint.friction.law = law;
-    joint.control.velocity_estimate.form = EstimateForm::backward_difference;
-    auto request = of(BoundaryKind::state_variable);
-    request.scan = 8;
-    for (const double period : {2e-3, 3e-2}) {
-        joint.control.period = period;
-        CHECK(is_told_by_count(joint, request.kind) == (period > 1e-2));
-        CHECK(linear_region(joint) == linear_point(joint).region);
-        const auto ray = locate_boundaries(joint, axis("friction.lag", 4e-4, 1.6e-3), request);
-        const auto grown = locate_on_ray(joint, "friction.lag", 4e-4, 1.6e-3, true, Curve::Kind::state_variable, 8);
-        REQUIRE(ray.points.size() == 1);
-        REQUIRE(grown.size() == 1);
-        CHECK(ray.points[0].value == Approx(grown[0].value).epsilon(1e-9));
-        CHECK(ray.points[0].converged == grown[0].converged);
-        CHECK(ray.points[0].value == Approx(M_PI / 2 / 2000).epsilon(0.02));
     }
 }
 

@@ -224,6 +224,8 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
     std::vector<Note> notes;
     const std::vector<Case> cases{prepare(test::record_of({}, 1, 3), test::nominal_joint(), notes)};
     const auto corrections = std::make_shared<Corrections>(cases, scales_of(cases), policy::ladder.prior);
+    constexpr double likely = 0.9, of_rival = 0.05;
+    static_assert(likely > policy::finding_and_more);
     const auto answer = [&](double of_controller, double of_rung, double chance, bool noise_left = false,
                             bool numbers = false, const char* cause = "presliding", bool usual = false,
                             double left = 0.1) {
@@ -232,7 +234,7 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
         d.ladder[0].share = of_controller, d.ladder[1].share = of_rung;
         d.effects.resize(2);
         d.effects[0].names = {"velocity-filter", "presliding"}, d.effects[0].probability = chance;
-        d.effects[1].names = {"compliance"}, d.effects[1].probability = 0.05;
+        d.effects[1].names = {"compliance"}, d.effects[1].probability = of_rival;
         Cause controller;
         controller.names = {"velocity-filter"};
         JudgedLadder j;
@@ -243,37 +245,38 @@ TEST_CASE("the controller stands first by itself, and with causes that take a go
         put_controller_in_order(controller, j, d);
         return d.effects;
     };
-    const auto both = answer(0.3, 0.5, 0.9);
+    const auto both = answer(0.3, 0.5, likely);
     CHECK(both[0].names.size() == 2);
-    CHECK(both[0].probability == 0.9);
+    CHECK(both[0].probability == likely);
     CHECK(both[1].names.size() == 1);
-    CHECK(both[1].probability == Approx(0.05));
-    for (const auto& alone : {answer(0.9, 0.05, 0.9), answer(0.3, 0.5, 0.4), answer(0, 0, 0.6)}) {
+    CHECK(both[1].probability == Approx(1 - likely - of_rival));
+    for (const auto& alone :
+         {answer(0.9, 0.05, likely), answer(0.3, 0.5, 0.8 * policy::finding_and_more), answer(0, 0, 0.6)}) {
         CHECK(alone[0].names.size() == 1);
-        CHECK(alone[0].probability == 0.5);
+        CHECK(alone[0].probability == policy::finding_and_more);
         CHECK(alone[1].names.size() == 2);
     }
     // a fifth of its share is no scatter, but a small term of every machine may be as large
-    CHECK(answer(0.7, 0.14, 0.9)[0].names.size() == 2);
-    CHECK(answer(0.7, 0.14, 0.9, false, false, "cogging", true)[0].names.size() == 1);
-    CHECK(answer(0.6, 0.16, 0.9, false, false, "cogging", true)[0].names.size() == 2);
+    CHECK(answer(0.7, 0.14, likely)[0].names.size() == 2);
+    CHECK(answer(0.7, 0.14, likely, false, false, "cogging", true)[0].names.size() == 1);
+    CHECK(answer(0.6, 0.16, likely, false, false, "cogging", true)[0].names.size() == 2);
     // where much remains, what else takes a fifth may be only the nearest in shape
-    CHECK(answer(0.6, 0.12, 0.9, false, false, "presliding", false, 0.15)[0].names.size() == 1);
-    CHECK(answer(0.6, 0.16, 0.9, false, false, "presliding", false, 0.15)[0].names.size() == 2);
+    CHECK(answer(0.6, 0.12, likely, false, false, "presliding", false, 0.15)[0].names.size() == 1);
+    CHECK(answer(0.6, 0.16, likely, false, false, "presliding", false, 0.15)[0].names.size() == 2);
     // numbers of the document beside it are none of it
     const auto beside_numbers = answer(0.6, 0, 0.75, false, true);
     CHECK(beside_numbers[0].probability == Approx(policy::finding_with_numbers));
     CHECK(beside_numbers[1].probability == Approx(0.75 * (1 - policy::finding_with_numbers)));
     // small things that leave only noise are no doubt about the controller, and large ones belong to the answer
-    CHECK(answer(0.9, 0.01, 0.9, true)[0].names.size() == 1);
-    CHECK(answer(0.9, 0.01, 0.9, true)[0].probability == Approx(1 - policy::doubt_of_noise));
-    CHECK(answer(0.3, 0.5, 0.9, true)[0].probability == 0.9);
-    CHECK(answer(0.3, 0.5, 0.9, true).size() == 2);
+    CHECK(answer(0.9, 0.01, likely, true)[0].names.size() == 1);
+    CHECK(answer(0.9, 0.01, likely, true)[0].probability == Approx(1 - policy::doubt_of_noise));
+    CHECK(answer(0.3, 0.5, likely, true)[0].probability == likely);
+    CHECK(answer(0.3, 0.5, likely, true).size() == 2);
     // a documented inertia that is further off than documents are is wrong, however little the records feel it
-    const auto with_inertia = answer(0.9, 0.01, 0.9, true, false, "inertia");
+    const auto with_inertia = answer(0.9, 0.01, likely, true, false, "inertia");
     CHECK(with_inertia[0].names.size() == 2);
-    CHECK(with_inertia[0].probability == 0.9);
-    CHECK(answer(0.9, 0.01, 0.9, false, false, "inertia")[0].names.size() == 1);
+    CHECK(with_inertia[0].probability == likely);
+    CHECK(answer(0.9, 0.01, likely, false, false, "inertia")[0].names.size() == 1);
 }
 
 TEST_CASE("a documented number that would go back to its bound is told apart from other last rungs", "[gap][ladder]")

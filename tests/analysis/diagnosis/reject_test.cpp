@@ -1,4 +1,5 @@
 #include "analysis/diagnosis/verdict/reject.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/results/contradictions.h"
 
 #include <catch2/catch.hpp>
@@ -8,14 +9,18 @@ using namespace stickslip::gap;
 
 namespace {
 
+/// Probabilities of two causes as found, before anything speaks against them.
+constexpr double first_found = 0.6, second_found = 0.3;
+static_assert(first_found > policy::believed_simulated && policy::believed_simulated > policy::believed_doubted);
+
 /// A named cause and what it leaves on held-out data, in floors.
 Diagnosis leaving(double before, double after)
 {
     Diagnosis d;
     d.verdict = Verdict::gap;
     d.effects.resize(2);
-    d.effects[0].names = {"stribeck"}, d.effects[0].probability = 0.6;
-    d.effects[1].names = {"viscous"}, d.effects[1].probability = 0.3;
+    d.effects[0].names = {"stribeck"}, d.effects[0].probability = first_found;
+    d.effects[1].names = {"viscous"}, d.effects[1].probability = second_found;
     d.ambiguous_with = {{"viscous"}};
     d.overall.before = before, d.overall.after = after, d.overall.floor = 1;
     return d;
@@ -28,7 +33,7 @@ TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is sett
     auto d = leaving(3, 2.9);
     CHECK_FALSE(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::gap);
-    CHECK(d.effects[0].probability == 0.6);
+    CHECK(d.effects[0].probability == first_found);
     d.overall.after = 3.1;
     CHECK(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::unknown);
@@ -44,7 +49,8 @@ TEST_CASE("a ladder of predictions stays where only the simulation of whole reco
     const auto rejected = [](double after, bool predicted) {
         auto d = leaving(3, after);
         LadderRung rung;
-        rung.names = {"stribeck"}, rung.share = 0.5, rung.probability = 0.6, rung.ambiguous_with = {{"viscous"}};
+        rung.names = {"stribeck"}, rung.share = 0.5, rung.probability = first_found,
+        rung.ambiguous_with = {{"viscous"}};
         d.ladder = {rung};
         d.corrected_share = 0.2, d.remainder.share = 0.3;
         d.overall.explained = (9 - after * after) / 8;
@@ -56,7 +62,7 @@ TEST_CASE("a ladder of predictions stays where only the simulation of whole reco
     const auto worse = rejected(3.1, true);
     REQUIRE(worse.ladder.size() == 1);
     CHECK(worse.ladder[0].share == 0.5);
-    CHECK(worse.ladder[0].probability < 0.2);
+    CHECK(worse.ladder[0].probability == policy::believed_unnamed);
     CHECK(worse.ladder[0].ambiguous_with.empty());
     CHECK(worse.corrected_share == 0.2);
     CHECK(worse.remainder.share == 0.3);
@@ -71,7 +77,8 @@ TEST_CASE("a cause that predictions leave open and that hardly helps on held-out
     CHECK(d.verdict == Verdict::unknown);
     REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0] == Note{.code = Note::Code::rejected_leaves_most, .names = {"stribeck"}});
-    CHECK(d.effects[0].probability + d.effects[1].probability < 0.2);
+    CHECK(d.effects[0].probability == policy::believed_unnamed);
+    CHECK(d.effects[1].probability == Approx(policy::believed_unnamed * second_found / first_found));
     // two simulations of a joint that sticks or slips by chance differ by more than two of the nominal one
     d = leaving(3, 2.4);
     d.overall.own_floor = 2;
@@ -84,14 +91,14 @@ TEST_CASE("a cause that leaves more than a documented noise is doubted, rivals a
     auto d = leaving(10, 2);
     CHECK_FALSE(reject_if_not_validated(d, {.noise_documented = true}));
     CHECK(d.verdict == Verdict::gap);
-    CHECK(d.effects[0].probability == 0.2);
-    CHECK(d.effects[1].probability == Approx(0.1));
+    CHECK(d.effects[0].probability == policy::believed_doubted);
+    CHECK(d.effects[1].probability == Approx(policy::believed_doubted * second_found / first_found));
     REQUIRE(d.reasons.size() == 1);
     CHECK(d.reasons[0] == Note{.code = Note::Code::doubted_above_noise, .names = {"stribeck"}, .values = {2}});
     for (const auto& [after, standing] : {std::pair{1.2, Standing{.noise_documented = true}}, {2.0, Standing{}}}) {
         d = leaving(10, after);
         CHECK_FALSE(reject_if_not_validated(d, standing));
-        CHECK(d.effects[0].probability == 0.6);
+        CHECK(d.effects[0].probability == first_found);
     }
 }
 
@@ -105,9 +112,9 @@ TEST_CASE("a ladder of predictions is doubted where whole records are simulated 
         CHECK(d.verdict == Verdict::gap);
         return d.effects[0].probability;
     };
-    CHECK(probability(4, true) == 0.5);  // 0.85 is explained
-    CHECK(probability(3, true) == 0.6);
-    CHECK(probability(4, false) == 0.6);
+    CHECK(probability(4, true) == policy::believed_simulated);  // 0.85 is explained
+    CHECK(probability(3, true) == first_found);
+    CHECK(probability(4, false) == first_found);
 }
 
 TEST_CASE("rungs of a ladder are no surer than the set that simulations doubt, and the reason is said", "[gap]")
@@ -118,7 +125,7 @@ TEST_CASE("rungs of a ladder are no surer than the set that simulations doubt, a
         d.ladder.resize(probabilities.size());
         for (std::size_t i = 0; i < probabilities.size(); ++i) d.ladder[i].probability = probabilities[i];
         CHECK_FALSE(reject_if_not_validated(d, {.settled = true, .predicted = true, .findings = findings}));
-        CHECK(d.effects[0].probability == 0.5);
+        CHECK(d.effects[0].probability == policy::believed_simulated);
         REQUIRE(d.reasons.size() == 1);
         CHECK(d.reasons[0].code == Note::Code::doubted_as_a_whole);
         CHECK(d.reasons[0].names == std::vector<std::string>{"stribeck"});
@@ -127,13 +134,13 @@ TEST_CASE("rungs of a ladder are no surer than the set that simulations doubt, a
         for (const auto& rung : d.ladder) left.push_back(rung.probability);
         return left;
     };
-    CHECK(doubted(0, {0.6})[0] == Approx(0.5));
+    CHECK(doubted(0, {first_found})[0] == Approx(policy::believed_simulated));
     // what a set of two is doubted for its last rung bears: their product is that of the set
     const auto two = doubted(0, {0.8, 0.75});
     CHECK(two[0] == 0.8);
-    CHECK(two[0] * two[1] == Approx(0.5));
+    CHECK(two[0] * two[1] == Approx(policy::believed_simulated));
     CHECK(doubted(1, {0.98})[0] == 0.98);  // read off the command
-    CHECK(doubted(1, {0.98, 0.6})[1] == Approx(0.5));
+    CHECK(doubted(1, {0.98, first_found})[1] == Approx(policy::believed_simulated));
 }
 
 TEST_CASE("a cause that leaves many floors which nobody documented is not named", "[gap]")

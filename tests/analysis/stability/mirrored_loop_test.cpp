@@ -95,6 +95,13 @@ TEST_CASE("A motor wired the other way has the windows of its gains on the other
         REQUIRE(mirrored.velocity_only.stable_k_v.size() == own.velocity_only.stable_k_v.size());
         CHECK(own.velocity_only.stable_k_v.empty() == sampled);  // a hold of 1 ms leaves no k_v enough
         if (!sampled) CHECK(mirrored.velocity_only.stable_k_v[0].high == Approx(-own.velocity_only.stable_k_v[0].low));
-        CHECK(nonlinear_verdict(other, {}).region == nonlinear_verdict(joint, {}).region);
+    }
+}
+
+TEST_CASE("A motor wired the other way ends in the same region", "[loop][slow]")
+{
+    for (const bool sampled : {true, false}) {
+        const Joint joint = delayed_loop(sampled);
+        CHECK(nonlinear_verdict(rewired(joint), {}).region == nonlinear_verdict(joint, {}).region);
     }
 }

@@ -141,5 +141,5 @@ TEST_CASE("an answer that lacks a field, or has another thing in its place, says
     JointAnswer answer;
     CHECK_THROWS_WITH(archive::read(json, answer), "linear: steady: lacks \"friction\"");
     json["linear"]["steady"]["friction"] = "much";
-    CHECK_THROWS_WITH(archive::read(json, answer), "linear: steady: friction: is no number");
+    CHECK_THROWS_WITH(archive::read(json, answer), "linear: steady: friction: is not a number");
 }

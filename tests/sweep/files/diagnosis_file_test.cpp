@@ -22,7 +22,7 @@ TEST_CASE("a file that is no diagnosis is refused with the place or the reason",
     const std::string format = R"("format": "stickslip-diagnosis/2")";
     CHECK_THAT(
         said("{" + format),
-        EndsWith("diagnosis.json: is no complete JSON; reading stopped at byte 35"));  // the first that is missing
+        EndsWith("diagnosis.json: is not complete JSON; reading stopped at byte 35"));  // the first that is missing
     CHECK_THAT(said("{" + format + ", \"version\": 1e999}"),
                EndsWith("diagnosis.json: has a number beyond the largest that a double holds, 1.8e308"));
     CHECK_THAT(said("{" + format + ", \"verdict\": 7}"),

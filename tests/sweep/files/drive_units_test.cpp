@@ -52,7 +52,7 @@ TEST_CASE("gains of a motor on voltage are read in volts", "[units]")
     CHECK(read(motor_joint("duty", "\"15 1/rad\"")).control.k_p == 15);
     const auto errors = messages_of([] { read(motor_joint("voltage", "\"350 N·m/rad\"")); });
     REQUIRE(errors.size() == 1);
-    CHECK_THAT(errors[0], Contains("is the unit of something else, expected V/rad"));
+    CHECK_THAT(errors[0], Contains("is not a unit of this quantity, expected V/rad"));
 }
 
 TEST_CASE("a setting of such a gain has the same unit", "[units]")

@@ -227,7 +227,7 @@ TEST_CASE("import: what cannot be used is refused by file and line")
                Catch::Contains("include.urdf:3") && Catch::Contains("run xacro"));
     CHECK_THAT(complaint(room, "half.urdf", replaced(arm_urdf, "<mass value=\"2\"/>", "")),
                Catch::Contains("half.urdf:4") && Catch::Contains("of link \"upper\" needs <mass>"));
-    CHECK_THAT(complaint(room, "cut.urdf", std::string(arm_urdf).substr(0, 400)), Catch::Contains("is no XML"));
+    CHECK_THAT(complaint(room, "cut.urdf", std::string(arm_urdf).substr(0, 400)), Catch::Contains("is not XML"));
     CHECK_THAT(complaint(room, "free.xml", replaced(arm_mjcf, "<joint name=\"elbow\" ref=\"30\"/>", "<freejoint/>")),
                Catch::Contains("free.xml:9") && Catch::Contains("expected it in a body of <worldbody> only"));
     CHECK_THAT(complaint(room, "other.xml", "<sdf/>"), Catch::Contains("<sdf>"));

@@ -192,11 +192,11 @@ TEST_CASE("wrong types")
 TEST_CASE("units of another kind")
 {
     CHECK(only_error(with("V0 = \"1 mm/s\"", "V0 = \"1 mm\"")) ==
-          "joint.toml:9:6: control.V0: \"1 mm\": \"mm\" is the unit of something else, expected m/s");
+          "joint.toml:9:6: control.V0: \"1 mm\": \"mm\" is not a unit of this quantity, expected m/s");
     const auto all = errors(with("motion = \"prismatic\"", "motion = \"revolute\""));
     REQUIRE(all.size() == 3);
     CHECK(all[0] ==
-          "joint.toml:7:7: control.k_p: \"20 kN/m\": \"kN/m\" is the unit of something else, expected N·m/rad");
+          "joint.toml:7:7: control.k_p: \"20 kN/m\": \"kN/m\" is not a unit of this quantity, expected N·m/rad");
     CHECK_THAT(all[1], EndsWith("expected rad/s"));
     CHECK_THAT(all[2], StartsWith("joint.toml:15:5: friction.L: ") && EndsWith("expected rad"));
 }

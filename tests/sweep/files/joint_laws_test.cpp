@@ -56,7 +56,7 @@ TEST_CASE("rows of a law, a law inside a law, a table from a file")
 
     const std::string place = "joint.toml:6:9: friction.table: is \"g.csv\": " + (folder / "g.csv").string();
     table("0,1\n1,x\n");
-    CHECK(error(kernel) == place + ":2:1: is no row of two numbers, time and g: \"1,x\"");
+    CHECK(error(kernel) == place + ":2:1: is not a row of two numbers, time and g: \"1,x\"");
     table("0.5,1\n1,1\n");
     CHECK(error(kernel) == place + ": the table must start at time 0");
     table("");

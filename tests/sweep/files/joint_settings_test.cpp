@@ -54,8 +54,8 @@ TEST_CASE("settings that are wrong change nothing")
     CHECK_THAT(error("control.kp=1"),
                StartsWith("--set control.kp=1: control.kp: unknown key") && EndsWith("\"k_p\"?"));
     CHECK_THAT(error("k_p=1"), EndsWith("did you mean \"control.k_p\"?"));
-    CHECK_THAT(error("control.k_p"), EndsWith("is no setting, expected path=value such as control.k_p=2e4"));
-    CHECK_THAT(error("=3"), Contains("is no setting"));
+    CHECK_THAT(error("control.k_p"), EndsWith("is not a setting, expected path=value such as control.k_p=2e4"));
+    CHECK_THAT(error("=3"), Contains("is not a setting"));
     CHECK_THAT(error("control.k_p=1 mm"), EndsWith("expected N/m"));
     CHECK_THAT(error("control.k_p="), Contains("is not a number"));
     CHECK_THAT(error("control.k_p=1\nx=2"), Contains("control.k_p"));

@@ -32,18 +32,18 @@ TEST_CASE("layouts that are wrong")
     CHECK(error("[record]\ncolums = {}\n") ==
           "record.toml:2:1: record.colums: unknown key, expected columns, constants, at_rest_at_start, files; "
           "did you mean \"columns\"?");
-    CHECK_THAT(
-        error("columns.positon = \"x\"\n"),
-        StartsWith("record.toml:1:9: record.columns.positon: is no signal of a record") && EndsWith("\"position\"?"));
+    CHECK_THAT(error("columns.positon = \"x\"\n"),
+               StartsWith("record.toml:1:9: record.columns.positon: is not a signal of a record") &&
+                   EndsWith("\"position\"?"));
     CHECK(error("columns.q_des = \"reference_position\"\n") ==
-          "record.toml:1:17: record.columns.q_des: is no signal of a record, reference_position is: expected "
+          "record.toml:1:17: record.columns.q_des: is not a signal of a record, reference_position is: expected "
           "reference_position = \"q_des\"");
     CHECK_THAT(error("columns.position = 3\n"),
                StartsWith("record.toml:1:20: record.columns.position: is 3, expected the name of a column"));
     CHECK_THAT(error("columns.position = { nam = \"x\" }\n"),
                StartsWith("record.toml:1:22: record.columns.position.nam: unknown key") && EndsWith("\"name\"?"));
     CHECK(error("columns.position = { unit = \"deg\" }\n") ==
-          "record.toml:1:29: record.columns.position.unit: \"deg\" is the unit of something else, expected m");
+          "record.toml:1:29: record.columns.position.unit: \"deg\" is not a unit of this quantity, expected m");
     CHECK_THAT(error("columns.position = { scale = 0 }\n"),
                StartsWith("record.toml:1:30: record.columns.position.scale: is 0"));
     CHECK_THAT(error("columns.position = { offset = \"1 N\" }\n"),
@@ -56,9 +56,10 @@ TEST_CASE("layouts that are wrong")
     CHECK_THAT(error("files.\"a*\" = 3\n"), StartsWith("record.toml:1:14: record.files.a*: is 3, expected a table"));
     CHECK_THAT(
         error("[record.files.\"a*\"]\nkp = 3\n"),
-        StartsWith("record.toml:2:1: record.files.a*.kp: is no number of this joint; did you mean \"control.k_p\"?"));
+        StartsWith(
+            "record.toml:2:1: record.files.a*.kp: is not a parameter of this joint; did you mean \"control.k_p\"?"));
     CHECK_THAT(error("[record.files.\"a*\"]\nphase = 3\n"),
-               StartsWith("record.toml:2:1: record.files.a*.phase: is no number of this joint"));
+               StartsWith("record.toml:2:1: record.files.a*.phase: is not a parameter of this joint"));
     CHECK_THAT(error("[record.files.\"a*\"]\ncontrol.k_p = true\n"),
                StartsWith("record.toml:2:15: record.files.a*.control.k_p: is true"));
 }

@@ -60,11 +60,11 @@ TEST_CASE("a series that does not fit is refused at its place", "[files]")
     };
     refuse("time,load,position\n0,1,2\n1,2,3\n", ".csv:1:1: has no column \"force\"");
     refuse("0,1\n1,2\n1,3\n", ".csv:3:1: time does not rise");
-    refuse("0,1\n1,two\n", ".csv:2:1: is no row of two numbers");
+    refuse("0,1\n1,two\n", ".csv:2:1: is not a row of two numbers");
     refuse("0,1\n1,nan\n", ".csv:2:1");
     refuse("0,1\n", "fewer than two rows");
     refuse("0;1\n0,5;2\n", ".csv:2:1: has 3 cells, the rows above have 2; numbers need a decimal point");
     const TemporaryFile wrong("time [m],force\n0,1\n1,2\n");
     CHECK_THROWS_WITH(read_series(wrong.path, "force", SeriesQuantity{Quantity::effort, {}}),
-                      Contains(".csv:1:1: column time [m]") && Contains("unit of something else"));
+                      Contains(".csv:1:1: column time [m]") && Contains("not a unit of this quantity"));
 }

@@ -154,15 +154,15 @@ TEST_CASE("axes that are wrong")
     const auto axis = [](const std::string& text) { return "[axes]\n" + text + "\n"; };
     const std::string k_p = "\"control.k_p\" = ";
     CHECK(only_error(axis("\"control.kp\" = [1]")) ==
-          "@2:1: axes.control.kp: is no number of this joint; did you mean \"control.k_p\"?");
+          "@2:1: axes.control.kp: is not a parameter of this joint; did you mean \"control.k_p\"?");
     // a chart may mean the axis that is misspelt, in its wrong or in its right spelling
     for (const std::string chart : {"control.kp", "control.k_p"})
         CHECK_THAT(only_error(axis("\"control.kp\" = [1]\n\"control.k_v\" = [1, 2]") + "[report]\ncharts = [[\"" +
                               chart + "\", \"control.k_v\"]]\n"),
-                   StartsWith("@2:1: axes.control.kp: is no number"));
-    CHECK_THAT(only_error(axis("\"control.kind\" = [1]")), StartsWith("@2:1: axes.control.kind: is no number"));
-    CHECK_THAT(only_error(axis("\"friction.c0\" = [1]")), StartsWith("@2:1: axes.friction.c0: is no number"));
-    CHECK_THAT(only_error(axis("\"friction.L.2\" = [1]")), StartsWith("@2:1: axes.friction.L.2: is no number"));
+                   StartsWith("@2:1: axes.control.kp: is not a parameter"));
+    CHECK_THAT(only_error(axis("\"control.kind\" = [1]")), StartsWith("@2:1: axes.control.kind: is not a parameter"));
+    CHECK_THAT(only_error(axis("\"friction.c0\" = [1]")), StartsWith("@2:1: axes.friction.c0: is not a parameter"));
+    CHECK_THAT(only_error(axis("\"friction.L.2\" = [1]")), StartsWith("@2:1: axes.friction.L.2: is not a parameter"));
     CHECK(only_error(axis(k_p + "[]")) == "@2:17: axes.control.k_p: is an empty list, expected 1 or more values");
     CHECK(only_error(axis(k_p + "[1, 3, 2]")) == "@2:24: axes.control.k_p: has 2 after 3, expected ascending values");
     CHECK(only_error(axis(k_p + "[1, 1]")) == "@2:21: axes.control.k_p: has 1 after 1, expected ascending values");
@@ -231,7 +231,7 @@ TEST_CASE("plans that nobody can compute are refused with their size")
 TEST_CASE("design points that are wrong")
 {
     CHECK(only_error(axes + "[design]\n\"control.kp\" = 1\n") ==
-          "@5:1: design.control.kp: is no number of this joint; did you mean \"control.k_p\"?");
+          "@5:1: design.control.kp: is not a parameter of this joint; did you mean \"control.k_p\"?");
     CHECK_THAT(only_error(axes + "[design]\n\"joint.inertia\" = -1\n"),
                StartsWith("@5:19: design.joint.inertia: is -1, expected"));
     CHECK_THAT(only_error(axes + "[design]\ncontrol.k_p = \"1 mm\"\n"),
@@ -261,8 +261,9 @@ TEST_CASE("the other tables")
                           "offset, state, start"));
     CHECK_THAT(only_error(axes + "[nonlinear]\ndisturbance = { kind = \"position\", size = \"1 N\" }\n"),
                EndsWith("expected m"));
-    CHECK_THAT(only_error(axes + "[boundary]\naxis = \"control.kp\"\n"),
-               StartsWith("@5:8: boundary.axis: is \"control.kp\", which is no number of this joint; did you mean"));
+    CHECK_THAT(
+        only_error(axes + "[boundary]\naxis = \"control.kp\"\n"),
+        StartsWith("@5:8: boundary.axis: is \"control.kp\", which is not a parameter of this joint; did you mean"));
     CHECK_THAT(only_error(axes + "[boundary]\nkind = [\"folt\"]\n"),
                StartsWith("@5:9: boundary.kind: is \"folt\", expected") && EndsWith("did you mean \"fold\"?"));
     CHECK_THAT(only_error(axes + "[boundary]\nover = [\"control.k_p\"]\n"),

@@ -89,7 +89,7 @@ TEST_CASE("temperatures have an offset, and only alone")
 TEST_CASE("a unit of another kind names the expected one")
 {
     CHECK(error("2e4 N/m", Quantity::stiffness, revolute) ==
-          "\"2e4 N/m\": \"N/m\" is the unit of something else, expected N·m/rad");
+          "\"2e4 N/m\": \"N/m\" is not a unit of this quantity, expected N·m/rad");
     CHECK_THAT(error("5 mm", Quantity::velocity), Catch::EndsWith("expected m/s"));
     CHECK_THAT(error("5 N·m", Quantity::stiffness, revolute), Catch::EndsWith("expected N·m/rad"));
     CHECK_THAT(error("5 Hz", Quantity::angular_frequency), Catch::EndsWith("expected rad/s"));

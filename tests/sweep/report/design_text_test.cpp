@@ -16,7 +16,7 @@ TEST_CASE("the answer of a design says that its optimum sits on the limit of the
     d.best.k_p = 2e5, d.best.k_v = 40;
     d.best.margin = 0.2;
     const auto on = design_text(answer);
-    CHECK(on.find("On the search limit: The best k_{p} is the greatest") != std::string::npos);
+    CHECK(on.find("The best k_{p} lies at the upper limit of the search") != std::string::npos);
     d.best.k_p = 1e5;
     CHECK(design_text(answer).find("search limit") == std::string::npos);
 }

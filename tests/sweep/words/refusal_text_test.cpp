@@ -28,7 +28,7 @@ TEST_CASE("a refusal with numbers says them, one without a code its own words", 
     CHECK(refusal_text(CannotAnswer(Why::column_length, "run.csv", "velocity", {5, 100})) ==
           "run.csv: column velocity has 5 values, time has 100");
     CHECK(refusal_text(CannotAnswer(Why::no_period, "")) == "control.period is missing: a plan needs a sampled loop");
-    CHECK(refusal_text(std::invalid_argument("is no number")) == "is no number");
+    CHECK(refusal_text(std::invalid_argument("is not a number")) == "is not a number");
     CHECK_THAT(refusal_text(NotFitted(NotFitted::Why::other_law, "kernel")), Catch::Contains("kernel"));
     // a program reads the code
     CHECK(CannotAnswer(Why::no_parameter, "run.csv", "control.k_x").what() ==

@@ -116,6 +116,22 @@ void LadderSearch::shorten(Ladder& ladder) const
     correct_alone(ladder);
 }
 
+std::vector<Ladder> LadderSearch::over_a_scale(const Ladder& ladder)
+{
+    const FittedSet& last = ladder.last();
+    std::vector<FittedSet> bases{last};
+    // a cause may be what imitates the scale
+    for (std::size_t i = 0; i < last.causes.effects.size(); ++i)
+        if (!corrections_->same_number(*last.causes.effects[i], *last.causes.forms[i]))
+            bases.push_back(climber_->without(last, i));
+    std::vector<Ladder> ladders;
+    for (const auto& base : bases)
+        for (const auto& set : climber_->over_a_scale(base, *corrections_, Scaled::possible))
+            if (set.misfit < last.misfit + margin_of(last, rules_) && set.causes.effects != last.causes.effects)
+                ladders.push_back(finished(climber_->compared({set})));
+    return ladders;
+}
+
 void LadderSearch::try_rivals_in_the_last(Ladder& ladder) const
 {
     constexpr std::size_t most = 3;  // of each rung, the nearest

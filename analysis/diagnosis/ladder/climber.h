@@ -18,6 +18,12 @@ bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate
 
 inline constexpr double out_of_question = 4;  // margins, at which odds are 0.02
 
+/// A number that the document states.
+struct Stated;
+
+/// Which sets over a scale are wanted: all that are possible, or those that are likelier than any without.
+enum class Scaled { possible, likelier };
+
 class Climber {
   public:
     Climber(const std::vector<Attribution>& singles, SetFitter& fitter, const LadderRules& rules,
@@ -62,9 +68,11 @@ class Climber {
     /// that imitates them all.
     std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections) const;
 
-    /// The set with a scale of the effort as a further cause, where that brings the document's numbers so much nearer
-    /// to what it says: a torque constant that is off makes all of them wrong by one factor. With one of them as a
-    /// cause beside it, which is wrong by another factor, too. The set itself where neither does.
+    /// Other causes of a set beside a scale of the effort, over which the numbers of the document are what it says but
+    /// for those that are wrong by another factor: a torque constant that is off makes all of them wrong by one. The
+    /// likeliest such sets, judged, best first; nothing where a scale brings the numbers hardly nearer.
+    std::vector<FittedSet> over_a_scale(const FittedSet& set, const Corrections& corrections, Scaled wanted);
+    /// The set, or one of those in its place that is nearer and likelier.
     FittedSet with_shared_scale(FittedSet set, const Corrections& corrections);
 
     /// The set with those of its corrections as causes that stand at the bound of what a document is off: held back,
@@ -106,9 +114,11 @@ class Climber {
     std::optional<double> misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival);
 
   private:
-    /// The set with a scale of the effort, where one relieves its document enough; `freed` is one of its causes, whose
-    /// number the scale is not started from.
-    std::optional<FittedSet> scaled(const FittedSet& base, const Effect* freed, const Corrections& corrections);
+    /// What the stated numbers are where nothing holds them to the document, beside other causes of the set.
+    void take_freed(const FittedSet& set, const Candidate& others, const Eigen::VectorXd& of_others,
+                    std::vector<Stated>& numbers) const;
+    /// Causes with a scale of the effort, in each form that it may have.
+    std::vector<Start> scaled_by(double factor, const Candidate& causes, const Eigen::VectorXd& of_causes) const;
     /// Which of the causes goes last, by what is lost without each.
     std::size_t last_of(const FittedSet& set, std::vector<double> lost) const;
     /// The causes but one, with the numbers that they have in the set.

@@ -106,6 +106,8 @@ class LadderSearch {
     /// it can be none, or a term of its kind is one already.
     std::optional<Ladder> with_small_term(const Ladder& ladder, const std::vector<Attribution>& pairs,
                                           const OnlyNoise& only_noise);
+    /// Ladders of sets with a scale of the effort (`Climber::over_a_scale`) that predict rows as well as this one does.
+    std::vector<Ladder> over_a_scale(const Ladder& ladder);
     /// The ladder of causes that are known.
     Ladder of(const Attribution& known);
 

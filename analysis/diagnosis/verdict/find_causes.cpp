@@ -6,6 +6,7 @@
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/settle_ladder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,69 +102,6 @@ bool document_suffices(LadderSearch& search, const Fit& fit, const std::vector<J
     return true;
 }
 
-/// Judges the ladder in place of the one before, whose causes count as what a free force is held against.
-void judge_in_place(Ladder ladder, const LadderSearch& search, const Fit& fit, bool small_term, JudgedLadder& j,
-                    const Effect* dropped = nullptr)
-{
-    JudgedLadder next;
-    next.dropped = j.dropped;
-    if (dropped) next.dropped.push_back(dropped);
-    next.noise_below = j.noise_left || j.noise_below;
-    next.with_small_terms = j.with_small_terms;
-    if (small_term) next.with_small_terms = std::min(j.with_small_terms, mean_log_misfit(j.winner.evaluation));
-    next.ladder = std::move(ladder);
-    judge(next, search.data(), fit);
-    j = std::move(next);
-}
-
-/// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first. A
-/// small term of every machine goes among the corrections, or what it leaves would count against the causes.
-void shorten_to_likely(LadderSearch& search, const Fit& fit, const std::vector<Attribution>& pairs,
-                       const OnlyNoise& only_noise, JudgedLadder& j)
-{
-    const auto unlikely = [&] {
-        return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung &&
-               !frees_held_number(j.ladder);
-    };
-    // where nothing can be named beside corrections that take most of the gap, they are the answer
-    const auto corrections_alone = [&] {
-        return j.why_not && !j.ladder.rungs.empty() && corrections_take_most(j.shares);
-    };
-    while (const Effect* small = small_term_between(j))
-        judge_in_place(search.without(j.ladder, *small), search, fit, true, j, small);
-    while (small_against_corrections(j) || unlikely() || corrections_alone()) {
-        if (auto anew =
-                small_against_corrections(j) ? search.with_small_term(j.ladder, pairs, only_noise) : std::nullopt) {
-            judge_in_place(std::move(*anew), search, fit, true, j);
-            continue;
-        }
-        Ladder shorter = std::move(j.ladder);
-        search.shorten(shorter);
-        judge_in_place(std::move(shorter), search, fit, j.usual, j);
-    }
-}
-
-/// Rungs with which the simulation of unseen records is worse than that of the document go, the last first, if that
-/// helps: what predicts from row to row a little better may still push whole records away.
-void shorten_to_simulated(LadderSearch& search, const Fit& fit, const std::vector<Joint>& documented, int runs,
-                          JudgedLadder& j)
-{
-    const auto worse = [&](const JudgedLadder& ladder) {
-        return hold_out(fit, documented, ladder.winner, runs).overall.worse();
-    };
-    if (!j.named || j.ladder.rungs.size() < 2 || !worse(j)) return;
-    JudgedLadder fewer = j;
-    do {
-        Ladder shorter = std::move(fewer.ladder);
-        search.shorten(shorter);
-        judge_in_place(std::move(shorter), search, fit, false, fewer);
-        if (fewer.named && !worse(fewer)) {
-            j = std::move(fewer);
-            return;
-        }
-    } while (fewer.ladder.rungs.size() > 1);
-}
-
 bool accepted(const Decision& d)
 {
     return d.named && d.winner->accepted;
@@ -213,8 +151,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& m
             }
         }
         if (!accepted(f.decision)) {
-            shorten_to_likely(search, fit, f.pairs, only_noise, f.judged);
-            shorten_to_simulated(search, fit, p.documented, runs, f.judged);
+            settle_ladder(search, fit, {f.pairs, only_noise, p.documented, runs}, f.judged);
             if (f.judged.answers()) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
         }
     }

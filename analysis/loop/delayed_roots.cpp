@@ -15,12 +15,13 @@ using Complex = std::complex<double>;
 /// search for the root takes seconds there and ends without one (a falling curve of 7 kN·s/m on 1 kg, ticks of 10 ms).
 constexpr double hopeless = 300;
 
+constexpr double most_growth = 18;  // of a term as a power of e, which leaves eight digits of what it is added to
+
 /// Whether the mechanism, without what delays of its friction take off it, grows within a tick by so much that no digit
 /// of their sum is left. Evidence: a falling curve of 5 kN·s/m with a lag of 2 ms, on 0.3 kg: at e^9 all roots are
 /// those of the continuous loop to ten digits; at e^42 the rightmost ones were numbers that belong to nothing.
 bool loses_all_digits(const DelayedLoop& loop, const OpenedLoop& open)
 {
-    constexpr double most_growth = 18;  // e^18 leaves eight digits
     if (!loop.ticked) return false;
     return std::any_of(open.poles().begin(), open.poles().end(),
                        [&](Complex p) { return p.real() * loop.period > most_growth; });
@@ -77,6 +78,8 @@ DelayedSpectrum spectrum_by_lines(const DelayedLoop& loop, double gain)
     search.look_around();
     DelayedSpectrum found{search.all(), edge ? cleared(edge->real(), std::abs(*edge)) : not_set};
     sort_by_real_part(found.roots);
+    // far to the left dead time multiplies friction's past by more than its digits bear: what is found there is no root
+    std::erase_if(found.roots, [&](Complex s) { return -s.real() * loop.delay > most_growth; });
     return found;
 }
 

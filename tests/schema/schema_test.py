@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).parent.parent.parent
 PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
 OF_CODES = str(pathlib.Path(sys.argv[2]).resolve()) if len(sys.argv) > 2 else None
 SENTENCES = {"refused", "reasons", "notes", "reason", "sentence", "text", "answer", "could_be_missed", "why", "searched_from",
-             "growth_reason", "fold_reason", "error_reason", "eigenvalues_note", "description", "tell_tale"}
+             "growth_reason", "fold_reason", "error_reason", "eigenvalues_note", "description", "tell_tale", "signature"}
 TIMES = {"seconds", "computed"}  # what a run cost: the second program finds what the first has computed
 told, held = set(), set()
 SPEC = """

@@ -74,6 +74,39 @@ TEST_CASE("a torque constant that a log of the current shares is found beside an
     CHECK(value_of(named, "inertia.factor") == Approx(0.77).epsilon(0.01));
 }
 
+TEST_CASE("a torque constant beside a Coulomb level is no encoder with another scale", "[gap][slow]")
+{
+    // the scale of the position makes the same inertia and viscous friction of the logged effort
+    Machine m;
+    m.gain = 0.85, m.coulomb *= 0.81, m.effort_noise = 0.01;
+    auto records = two_records(m);
+    for (auto& record : records)
+        for (double& effort : record.effort_measured) effort /= m.gain;
+    const auto d = test::answer(test::nominal_joint(), records, in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto& named = d.effects[0];
+    REQUIRE(std::ranges::is_permutation(named.names, std::vector<std::string>{"coulomb-level", "effort-gain"}));
+    CHECK(value_of(named, "effort-gain.factor") == Approx(0.85).epsilon(0.005));
+    CHECK(value_of(named, "coulomb-level.change") == Approx(-0.38).margin(0.01));
+}
+
+TEST_CASE("two wrong numbers are found over a torque constant that no log shows", "[gap][slow]")
+{
+    // with a constant as documented, inertia and gravity a fifth too low would say nearly the same
+    Machine m;
+    m.gain = 1.25, m.inertia *= 0.8, m.coulomb *= 1.3, m.gravity = 5, m.amplitude = 3;
+    Joint joint = test::nominal_arm();
+    joint.load.gravity_amplitude = 5;
+    const auto d = test::answer(joint, two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto& named = d.effects[0];
+    REQUIRE(
+        std::ranges::is_permutation(named.names, std::vector<std::string>{"inertia", "coulomb-level", "effort-gain"}));
+    CHECK(value_of(named, "effort-gain.factor") == Approx(1.25).epsilon(0.01));
+    CHECK(value_of(named, "inertia.factor") == Approx(0.8).epsilon(0.01));
+    CHECK(value_of(named, "coulomb-level.change") == Approx(0.6).margin(0.02));
+}
+
 TEST_CASE("gravity that is documented with the wrong sign is named", "[gap][slow]")
 {
     Machine m;

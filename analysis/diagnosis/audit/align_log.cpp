@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/audit/align_log.h"
 
+#include "analysis/diagnosis/audit/command_terms.h"
 #include "analysis/diagnosis/audit/gain_regression.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/policy.h"
@@ -16,12 +17,15 @@ constexpr int most_ticks = 3;                           // numerical: of a shift
 constexpr double least_scale = 0.8, most_scale = 1.25;  // numerical: as far as a scale of the encoder is looked for
 constexpr double scale_step = 0.005;                    // numerical: of the first search
 
+/// What is left of the command by the controller: with the gains that fit best where it has no terms but them.
 double misfit_of(const std::vector<Case>& cases, double limit)
 {
-    return mean_misfit(gains_of(cases, cases[0].joint.control.velocity_estimate.tau, limit));
+    const Control& control = cases[0].joint.control;
+    if (is_plain(control)) return mean_misfit(gains_of(cases, control.velocity_estimate.tau, limit));
+    return fit_terms(command_terms(cases, control.dead_zone, limit), {}).misfit;
 }
 
-/// The reference of so many ticks later; beyond the log it goes on as it does at its ends.
+/// The reference of so many ticks later; before the log it went on as it does at its start.
 std::vector<double> later(const std::vector<double>& of, int ticks)
 {
     std::vector<double> shifted(of.size());
@@ -41,6 +45,8 @@ std::vector<Case> with_reference_later(std::vector<Case> cases, int ticks)
     for (auto& c : cases) {
         c.ticks.reference = later(c.ticks.reference, ticks);
         c.ticks.reference_rate = later(c.ticks.reference_rate, ticks);
+        // what the last commands followed was never logged
+        if (ticks > 0) c.ticks = first_ticks(c.ticks, c.ticks.size() - static_cast<std::size_t>(ticks));
     }
     return cases;
 }
@@ -55,19 +61,26 @@ std::vector<Case> with_positions_over(std::vector<Case> cases, double scale)
     return cases;
 }
 
-bool align_reference(std::vector<Case>& cases, double limit, double enough, Audit& result)
+/// The shift that leaves little, or hardly anything of what all others leave.
+bool align_reference(std::vector<Case>& cases, double limit, double as_logged, Audit& result)
 {
-    for (int ticks = 1; ticks <= most_ticks; ++ticks)
-        for (const int later : {ticks, -ticks}) {
-            auto shifted = with_reference_later(cases, later);
-            if (misfit_of(shifted, limit) > enough) continue;
-            cases = std::move(shifted);
-            const double period = cases[0].ticks.step[0];
-            result.notes.push_back({.code = later > 0 ? Note::Code::reference_late : Note::Code::reference_early,
-                                    .values = {static_cast<double>(ticks), ticks * period}});
-            return true;
-        }
-    return false;
+    int best = 0;
+    double least = as_logged, next = infinity;
+    for (int ticks = -most_ticks; ticks <= most_ticks; ++ticks) {
+        if (ticks == 0) continue;
+        const double misfit = misfit_of(with_reference_later(cases, ticks), limit);
+        if (misfit < least)
+            next = least, least = misfit, best = ticks;
+        else
+            next = std::min(next, misfit);
+    }
+    const bool clearly = least <= policy::much_better * policy::much_better * next;
+    if (best == 0 || least > policy::much_better * as_logged || (least > policy::understood && !clearly)) return false;
+    cases = with_reference_later(std::move(cases), best);
+    const double period = cases[0].ticks.step[0];
+    result.notes.push_back({.code = best > 0 ? Note::Code::reference_late : Note::Code::reference_early,
+                            .values = {std::abs(static_cast<double>(best)), std::abs(best) * period}});
+    return true;
 }
 
 bool align_scale(std::vector<Case>& cases, double limit, double enough, Audit& result)
@@ -88,13 +101,13 @@ bool align_scale(std::vector<Case>& cases, double limit, double enough, Audit& r
 void align_log(std::vector<Case>& cases, double limit, Audit& result)
 {
     const bool every_tick = std::ranges::all_of(cases, [](const Case& c) {
-        return c.ticks.ticks_per_row == 1 && c.ticks.regular && !c.ticks.lost && c.ticks.size() > 1;
+        return c.ticks.regular && !c.ticks.unseen_between() && c.ticks.size() > most_ticks + 1;
     });
-    if (!every_tick || !is_plain(cases[0].joint.control)) return;
+    if (!every_tick) return;
     const double as_logged = misfit_of(cases, limit), enough = policy::much_better * as_logged;
     if (as_logged <= policy::understood) return;
     const double understood = std::min(enough, policy::understood);
-    if (!align_reference(cases, limit, understood, result)) align_scale(cases, limit, understood, result);
+    if (!align_reference(cases, limit, as_logged, result)) align_scale(cases, limit, understood, result);
 }
 
 }  // namespace stickslip::gap

@@ -171,8 +171,10 @@ FittedSet LadderSearch::with_wrong_numbers(FittedSet set, std::size_t most_rungs
         if (corrections_->same_number(*set.causes.effects[i], *set.causes.forms[i])) continue;
         const auto less = climber_->without(set, i);
         auto other = climber_->wrong_numbers(less, *corrections_);
-        if (other && other->causes.effects.size() <= most_rungs &&
-            other->misfit < set.misfit - least_gain(*other, rules_))
+        if (!other || other->causes.effects.size() > most_rungs) continue;
+        // errors of a document need no more proof than a cause that has more parameters
+        const bool simpler = other->causes.parameter_count() < set.causes.parameter_count();
+        if (other->misfit < set.misfit - (simpler ? 0 : least_gain(*other, rules_)))
             return without_idle(std::move(*other));
     }
     return set;

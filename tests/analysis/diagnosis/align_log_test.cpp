@@ -68,7 +68,8 @@ TEST_CASE("a reference that is logged early is shifted beside a wrong gain, whic
     CHECK(found.audit.findings[0].value == Approx(1.2).epsilon(1e-3));
 }
 
-TEST_CASE("a log that ends while its late reference moves is cut, as what its last commands followed is not in it", "[gap]")
+TEST_CASE("a log that ends while its late reference moves is cut, as what its last commands followed is not in it",
+          "[gap]")
 {
     Record late = test::record_of({}, 1, 0.4);  // quick enough for the last rows to decide
     delay(late.reference_position, 3), delay(late.reference_velocity, 3);

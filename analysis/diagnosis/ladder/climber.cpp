@@ -109,9 +109,11 @@ std::vector<FittedSet> Climber::fitted(const std::vector<Start>& starts)
 
 std::vector<Start> Climber::divided_anew(const FittedSet& below) const
 {
-    constexpr std::size_t most_beside = 1;  // causes: with more of them a set takes seconds to fit
+    constexpr std::size_t most_beside = 1;  // causes but numbers of the document: more take seconds to fit
     std::vector<Start> looks;
-    if (below.causes.effects.size() > most_beside || divides_mass(below.causes)) return looks;
+    std::size_t beside = 0;
+    for (std::size_t i = 0; i < below.causes.effects.size(); ++i) beside += !fitter_.is_of_document(below, i);
+    if (beside > most_beside || divides_mass(below.causes)) return looks;
     for (const auto& single : singles_) {
         const Effect* effect = single.candidate.effects[0];
         const Candidate plain{{effect}, {&effect->forms[0]}, single.candidate.records};

@@ -44,6 +44,11 @@ class SetFitter {
     {
         return corrections_.is_usual(set.causes, set.of_causes(set.fit.x), cause);
     }
+    /// Whether one of the causes of a set is a number that a correction changes.
+    bool is_of_document(const FittedSet& set, std::size_t cause) const
+    {
+        return corrections_.same_number(*set.causes.effects[cause], *set.causes.forms[cause]);
+    }
     /// Excerpts anew, after the prediction floors have moved.
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.

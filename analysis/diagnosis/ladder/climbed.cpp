@@ -17,7 +17,7 @@ Ladder LadderSearch::of(const Attribution& known)
     // ten times as slow, and its search has been long
     LevelFit found;
     found.x = x;
-    return finished(fitter_->fit_folds(known.candidate, std::move(found)));
+    return finished(with_wrong_numbers(fitter_->fit_folds(known.candidate, std::move(found)), rules_.most_rungs));
 }
 
 Ladder LadderSearch::without(const Ladder& ladder, const Effect& cause)

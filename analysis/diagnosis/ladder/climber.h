@@ -65,8 +65,9 @@ class Climber {
 
     /// On top of a set the numbers of the document that are further off than documents are, where at least two are, all
     /// fitted at once and held back by nothing: one of them alone beside corrections comes no nearer than an effect
-    /// that imitates them all.
-    std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections) const;
+    /// that imitates them all. `held_back`: only where at least two of the corrections are.
+    std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections,
+                                           bool held_back) const;
 
     /// Other causes of a set beside a scale of the effort, over which the numbers of the document are what it says but
     /// for those that are wrong by another factor: a torque constant that is off makes all of them wrong by one. The

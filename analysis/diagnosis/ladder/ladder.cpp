@@ -17,6 +17,8 @@ constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tr
 constexpr int most_rounds_of_floor = 5;
 constexpr double settled_floor = 0.02;  // of mean log square
 
+constexpr std::size_t most_of_numbers = 2;  // parameters of a cause that two wrong numbers are no simpler than
+
 std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
 {
     std::vector<Start> known;
@@ -60,7 +62,7 @@ LadderSearch::LadderSearch(const Fit& fit, const std::vector<Attribution>& singl
     auto looks = climber_->looks(corrected_);
     find_small_terms(looks);
     first_ = climber_->judged(looks);
-    wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_);
+    wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, true);
 }
 
 /// The corrections as they are, fitted alone from the floor of the documented joint on.
@@ -114,7 +116,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         begin();
         climber_->forget();
         first_ = climber_->judged(climber_->looks(corrected_));
-        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_);
+        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, true);
         set = climbed(pairs, most_rungs, only_noise);
     }
     // each search leads further down a jagged misfit, and what is half way down leaves too much beside its last cause
@@ -170,7 +172,9 @@ FittedSet LadderSearch::with_wrong_numbers(FittedSet set, std::size_t most_rungs
     for (std::size_t i = 0; set.causes.effects.size() > 1 && i < set.causes.effects.size(); ++i) {
         if (corrections_->same_number(*set.causes.effects[i], *set.causes.forms[i])) continue;
         const auto less = climber_->without(set, i);
-        auto other = climber_->wrong_numbers(less, *corrections_);
+        // without a cause of many parameters numbers may take each other's place and be held back by nothing
+        const bool few = set.causes.count_of(*set.causes.forms[i]) <= most_of_numbers;
+        auto other = climber_->wrong_numbers(less, *corrections_, few);
         if (!other || other->causes.effects.size() > most_rungs) continue;
         // errors of a document need no more proof than a cause that has more parameters
         const bool simpler = other->causes.parameter_count() < set.causes.parameter_count();

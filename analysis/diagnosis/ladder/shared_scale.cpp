@@ -109,8 +109,8 @@ std::vector<FittedSet> Climber::over_a_scale(const FittedSet& set, const Correct
     auto readings = readings_of(numbers, rules_.most_rungs - beside);
     const double each = rules_.far_off * rules_.far_off;
     const auto cost = [&](const Reading& r) { return r.held + each * static_cast<double>(r.count + 1); };
-    double without = infinity;
-    for (const auto& r : readings) without = std::min(without, r.plain + each * static_cast<double>(r.count));
+    double without = 0;  // each number off as a document is, or wrong on its own
+    for (const auto& number : numbers) without += std::min(each, std::pow(number.logarithm / number.part, 2));
     std::erase_if(readings, [&](const Reading& r) {
         return r.plain - r.held < rules_.relieved || (wanted == Scaled::likelier && !(cost(r) < without));
     });

@@ -35,12 +35,11 @@ std::vector<Number> numbers_of(const FittedSet& set, const Corrections& correcti
 
 }  // namespace
 
-std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Corrections& corrections) const
+std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Corrections& corrections,
+                                                bool held_back) const
 {
     const auto numbers = numbers_of(below, corrections);
-    // beside causes one that is held back may hold the others to the document
-    const std::ptrdiff_t held_back = below.causes.effects.empty() ? several : 1;
-    if (std::ranges::count_if(numbers, &Number::at_bound) < held_back) return std::nullopt;
+    if (held_back && std::ranges::count_if(numbers, &Number::at_bound) < several) return std::nullopt;
     Candidate freed = below.causes;
     freed.records = below.model.candidate.records;
     Eigen::VectorXd x = below.of_causes(below.fit.x);

@@ -107,6 +107,38 @@ TEST_CASE("two wrong numbers are found over a torque constant that no log shows"
     CHECK(value_of(named, "coulomb-level.change") == Approx(0.6).margin(0.02));
 }
 
+TEST_CASE("a spring is found beside two wrong numbers of the document", "[gap][slow]")
+{
+    Machine m;
+    m.hung = 0.5, m.hung_stiffness = 2500, m.hung_damping = 0.5, m.amplitude = 3;
+    Joint joint = test::nominal_joint();
+    joint.mechanism.inertia *= 1.3;
+    std::get<CoulombViscous>(joint.friction.law).coulomb *= 0.6;
+    const auto d = test::answer(joint, two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto& named = d.effects[0];
+    REQUIRE(
+        std::ranges::is_permutation(named.names, std::vector<std::string>{"inertia", "coulomb-level", "compliance"}));
+    CHECK(value_of(named, "inertia.factor") == Approx(1 / 1.3).epsilon(0.01));
+    CHECK(value_of(named, "coulomb-level.change") == Approx(0.8).epsilon(0.02));
+    CHECK(value_of(named, "compliance.stiffness") == Approx(2500).epsilon(0.05));
+}
+
+TEST_CASE("three wrong numbers are no spring, where slow motion hardly shows the inertia", "[gap][slow]")
+{
+    Machine m;
+    m.gravity = 6;
+    Joint joint = test::nominal_arm();
+    joint.mechanism.inertia *= 2;
+    joint.load.gravity_amplitude = 9;
+    std::get<CoulombViscous>(joint.friction.law).coulomb *= 0.7;
+    const auto d = test::answer(joint, two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    for (const auto& name : d.effects[0].names) UNSCOPED_INFO(name << " " << d.effects[0].probability);
+    CHECK(std::ranges::is_permutation(d.effects[0].names,
+                                      std::vector<std::string>{"inertia", "coulomb-level", "gravity"}));
+}
+
 TEST_CASE("gravity that is documented with the wrong sign is named", "[gap][slow]")
 {
     Machine m;

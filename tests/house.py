@@ -171,6 +171,7 @@ def policy_complaints():
                 yield f"{path}:{number}: compares with a bare number; name it here (numerical limit) or in {POLICY} (threshold)"
             if CHOSEN.search(code) and not scan:
                 yield f"{path}:{number}: chooses a bare number; thresholds stand in {POLICY}, numerical limits say \"// numerical: WHAT\""
+        yield from house_policy.beside(path, (SOURCE / path).read_text(encoding="utf-8").splitlines())
     if (SOURCE / POLICY).exists():
         yield from house_policy.complaints((SOURCE / POLICY).read_text(encoding="utf-8").splitlines())
 

@@ -1,4 +1,4 @@
-"""What supports each number of the policy of the diagnosis.
+"""Numbers of the diagnosis: in the policy each says what supports it, beside the policy each says that it is numerical.
 
 A comment /// above a number of the policy gives its reason and, after "Evidence:", what was seen, or after "Definition:" the
 word whose meaning it fixes, or begins with "numerical:" and why it only costs or saves time. A member of a struct has a
@@ -58,3 +58,21 @@ def kinds(lines):
         else:
             counts["evidence" if "Evidence:" in comment else "definition"] += 1
     return counts, without
+
+
+OWN = re.compile(r"constexpr (?:double|std::array<double, [^>]+>) ")
+SAID = re.compile(r"numerical: *\S")
+
+
+def beside(path, lines):
+    """A number of the diagnosis outside the policy that does not say, on its line or in the comment above it, that it is
+    numerical and why."""
+    said = False
+    for place, line in enumerate(lines, 1):
+        code, _, comment = line.partition("//")
+        if not code.strip():
+            said = said or bool(SAID.search(comment)) if comment else False
+            continue
+        if OWN.search(code) and not said and not SAID.search(comment):
+            yield f"{path}:{place}: a number beside the policy; thresholds stand in {POLICY}, others say \"// numerical: WHY\""
+        said = False

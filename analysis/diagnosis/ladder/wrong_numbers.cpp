@@ -25,7 +25,7 @@ double part_of(std::string_view number, const CorrectionPrior& prior)
     if (number == "inertia") return prior.inertia;
     if (number == "coulomb-level") return prior.coulomb;
     if (number == "viscous") return prior.viscous;
-    return number == "gravity" ? prior.gravity : 0;
+    return number == "gravity" ? prior.gravity : 0.0;
 }
 
 std::vector<Number> numbers_of(const FittedSet& set, const Corrections& corrections, const CorrectionPrior& prior)

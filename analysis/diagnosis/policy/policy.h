@@ -56,8 +56,7 @@ inline constexpr std::array physical_ranges{
                   "direct effects of 0.005-0.02 beside friction of 0.3-0.7 are published for rock, metal, paper and "
                   "plastics (Dieterich 1979, Heslot 1994, Marone 1998), ten times that for no surface"},
     /// Evidence: as that of A.
-    PhysicalRange{"frictional-memory", "B", 0, 0.25, Per::coulomb,
-                  "as A: they differ by less than either"},
+    PhysicalRange{"frictional-memory", "B", 0, 0.25, Per::coulomb, "as A: they differ by less than either"},
     /// Definition: one step, or the noise, of the encoder is what it resolves.
     PhysicalRange{"frictional-memory", "L", 1, 1e9, Per::reading,
                   "a slip below the encoder resolution is invisible: such an effect depends on the time at rest"},
@@ -647,5 +646,123 @@ inline constexpr double quiet_rig = 1.06;
 /// Probability of all laws of a rig together. Reason: the catalogue is finite. Evidence: none yet; chosen. A twentieth
 /// is left for laws outside it; it scales every probability of a rig and decides no name.
 inline constexpr double any_law_of_rig = 0.95;
+
+/// Part of the misfit beyond the noise that a cause with a jagged misfit (backlash, a limit) must explain to be
+/// searched for longer. Reason: long searches cost most of the time of an answer, and what explains less is not the
+/// cause. Evidence: none yet; chosen.
+inline constexpr double worth_a_long_search = 0.5;
+/// Multiple of the least objective of these searches up to which a cause is searched at the slower observers, too.
+/// Reason: what is further behind is not named. Evidence: none yet; chosen.
+inline constexpr double near_the_best = 1.15;
+/// Part of its objective below which an observer takes over the parameters that another one found. Reason: a search may
+/// have ended in a hollow that the others found the way out of; parameters of another horizon that are hardly better
+/// are not. Evidence: none yet; chosen.
+inline constexpr double out_of_the_hollow = 0.8;
+/// Difference of score from an accepted cause beyond which a cause is not refined. Reason: rivals matter within a tenth
+/// of that (`margin_of_score`). Evidence: none yet; chosen.
+inline constexpr double far_behind = 0.25;
+/// Score below which no better parameters are searched. Reason: so little is left that they would decide nothing.
+/// Evidence: none yet; chosen.
+inline constexpr double clear_score = 0.04;
+/// Margins of a ladder (`margin`) by which a set of causes must be worse to be no rival. Reason: its odds are e⁻⁴ =
+/// 0.02. Evidence: none yet; chosen.
+inline constexpr double out_of_question = 4;
+/// Part of what an effect takes off in a record that is held out, below which the others hardly show it: thirds of that
+/// record are held out in its place. Reason: what is not in the other records cannot be fitted to them. Evidence: none
+/// yet; chosen.
+inline constexpr double hardly_in_others = 0.1;
+/// Multiple of an estimated noise of the effort that counts as its noise. Reason: an estimate that is a little low
+/// would make a gap of plain noise. Evidence: none yet; chosen. Estimates of white noise agree to a hundredth or two
+/// (`noise_not_white`).
+inline constexpr double doubted_estimate = 1.03;
+/// Part of the effort's RMS that counts as noise of its own. Reason: a lag or a delay is written down in slightly
+/// different ways. Evidence: none yet; chosen. It is added to the square of the noise: it matters where a measured
+/// effort has less noise than a thousandth.
+inline constexpr double model_noise_of_effort = 1e-3;
+/// Mean square of what the first rows are off the prediction from rest, in squares of a reading's error, above which a
+/// record may start in motion. Reason: five standard deviations in each of ten rows are no noise. Evidence: none yet;
+/// chosen.
+inline constexpr double missed_at_rest = 25;
+/// Part of that mean square that a start in motion may leave. Reason: an unmodelled force that sets a joint in motion
+/// leaves a sixth. Evidence: none yet; chosen.
+inline constexpr double left_by_motion = 0.05;
+/// Median deviation of what a command has beyond its other terms, as a part of it, up to which it is what the integral
+/// held at the start. Reason: an integral changes little over twenty rows. Evidence: none yet; chosen.
+inline constexpr double held_at_start = 0.1;
+/// Mean square over the floor at which a block of rows begins to count less. Reason: a disturbance that no cause
+/// explains must not decide all parameters. Evidence: none yet; chosen. It shapes every objective that is minimised.
+inline constexpr double large_block = 20;
+/// Part of a row by which the median step of a log may differ from a multiple of the loop's period for its stamps to be
+/// moved to an even clock. Reason: a log of another rate has no such clock. Evidence: none yet; chosen.
+inline constexpr double whole_row = 0.05;
+/// RMS scatter of stamps, part of a row, up to which they are moved to an even clock without asking the readings.
+/// Reason: what is scattered by more may be uneven in truth: then readings decide. Evidence: none yet; chosen.
+inline constexpr double jitter_unquestioned = 0.1;
+/// Von Neumann's ratio of the deviations of stamps above which they scatter on their own. Reason: it is 2 where rows
+/// scatter independently, and 0 where they wander as a clock does: halfway. Evidence: none yet; chosen.
+inline constexpr double scattered_stamps = 1;
+/// Rows lost in a row up to which they are filled in; more are a hole at which a record is cut. Reason: what a joint
+/// does between two readings is known for some tens of milliseconds. Evidence: none yet; chosen.
+inline constexpr double most_lost_rows = 20;
+/// Difference of the probabilities of stick-slip by two laws from which on a row is proposed as the next to measure.
+/// Reason: less is no experiment. Evidence: none yet; chosen. It decides whether a proposal is made.
+inline constexpr double least_apart = 0.3;
+/// Held-out log-likelihood behind the likeliest law beyond which the motion of a law is not simulated. Reason:
+/// amplitudes cost `worst_amplitude` a row at most, and so much is not made up for. Evidence: none yet; chosen.
+inline constexpr double worth_following = 20;
+/// Standard deviation of the logarithm of a measured amplitude, and its floor in the gap. Reason: a measurement that is
+/// repeated differs by so much. Evidence: none yet; chosen. It scales what amplitudes say of a law.
+inline constexpr double amplitude_spread = 0.15;
+/// Distance to stick-slip within which the motion of a joint with memory is simulated. Reason: further away small and
+/// large disturbances end alike. Evidence: none yet; chosen.
+inline constexpr double near_stick_slip = 0.5;
+/// Distance to the end of a law's range, as a part of it, within which a number of a law is implausible. Reason: as
+/// `beside_bound`; the search among rows is coarser. Evidence: none yet; chosen.
+inline constexpr double beside_bound_of_law = 0.02;
+/// Degrees by which the temperature must change for "cold" and "warm" to be regimes. Reason: less says nothing of
+/// temperature. Definition: the words "cold" and "warm" of the page.
+inline constexpr double felt_warming = 1;
+/// Seconds after a reversal that count as one. Reason: this regime is for the reader. Definition: the word "reversal"
+/// of the page.
+inline constexpr double after_reversal = 0.1;
+/// Hz up to which an error is slow. Reason: this regime is for the reader. Definition: the words "below 1 Hz" of the
+/// page.
+inline constexpr double end_of_low_band = 1;
+/// Hz from which on it is fast. Reason: as `end_of_low_band`. Definition: the words "above 5 Hz" of the page.
+inline constexpr double end_of_middle_band = 5;
+/// Standard deviations of a 95 % interval, on either side. Reason: intervals are stated at 95 %. Definition: the normal
+/// distribution's quantile.
+inline constexpr double two_sided_95 = 1.96;
+/// Part of the stroke by which a proposed motion may leave what the records have shown. Reason: a controller overshoots
+/// a little. Evidence: none yet; chosen.
+inline constexpr double beyond_stroke = 0.05;
+/// Multiple of the largest speed that the records have shown, up to which the simulated joint may go in a proposed
+/// motion. Reason: what has not been shown may not be safe. Evidence: none yet; chosen.
+inline constexpr double beyond_speed = 1.1;
+/// The same of the acceleration. Reason: breaking away is sharper than what a record's noise lets be seen. Evidence:
+/// none yet; chosen.
+inline constexpr double beyond_acceleration = 2.2;
+/// Part of the speed and acceleration of the records that a proposed reference uses. Reason: a closed loop overshoots.
+/// Evidence: none yet; chosen. With less a proposed motion is slower; `beyond_speed` judges it in any case.
+inline constexpr double within_seen = 0.9;
+/// Part of the travel by which the load point of a rig must go back for a turn. Reason: that is more than noise.
+/// Evidence: none yet; chosen.
+inline constexpr double turned_of_rig = 0.01;
+/// Part of the normal load by which two runs must differ to tell what depends on it. Reason: less is the scatter of a
+/// load cell. Evidence: none yet; chosen.
+inline constexpr double loads_of_rig_differ = 0.01;
+/// Part of the travel, or of the time, that a rig's memory may take at most. Reason: a longer one would never have been
+/// seen to fade. Evidence: none yet; chosen. Sepiolite's record wants 43 mm, twenty times its travel, which is no
+/// answer.
+inline constexpr double longest_memory_of_rig = 0.5;
+/// Multiple of the last change of what a limited command is made of, by which it must have jumped for the reference to
+/// have jumped. Reason: a smooth way into a limit goes on as it came. Evidence: none yet; chosen.
+inline constexpr double jump_into_limit = 4;
+/// Part of an encoder step below which noise moves a reading only in passing: then the noisiest record's noise is that
+/// of all. Reason: a record that stands still between two steps shows none. Evidence: none yet; chosen.
+inline constexpr double seldom_a_step = 0.5;
+/// Probability from which on a page says that the cause may not be listed. Reason: less is not worth a reader's time.
+/// Definition: the words "that the cause is not listed".
+inline constexpr double stated_none = 0.05;
 
 }  // namespace stickslip::gap::policy

@@ -262,9 +262,8 @@ inline constexpr double fitted = 120'000;
 /// the same length. Evidence: six of 48 s at 20 kHz gave that friction as 0.1219, and all other rows to 1.01 × the
 /// noise floor. Nothing was tried between this number and half or twice as many.
 inline constexpr double stretches_fitted = 8;
-/// Seconds of a stretch at least. Reason: a stretch that is shorter than a motion holds only a part of it. Evidence: as
-/// `stretches_fitted`, whose stretches at 20 kHz were at this length or longer; nothing was tried between it and half
-/// or twice as much.
+/// Seconds of a stretch at least. Reason: a stretch that is shorter than a motion holds only a part of it. Evidence:
+/// none yet; chosen. Nothing was tried between it and half or twice as much.
 inline constexpr double shortest_stretch = 1.5;
 
 // Deciding between causes (verdict/, search/, heldout/) and the audit of the controller (audit/).
@@ -394,8 +393,8 @@ inline constexpr double believed_doubted = 0.2;
 /// steps, whose simulations differ among themselves; 0.82 is wrong, as was 0.64 (a limit named at 0.97 beside a wrong
 /// filter).
 inline constexpr double simulated_least = 0.87;
-/// Largest probability of such a ladder. Reason: it is as likely wrong as right. Evidence: of the five answers that
-/// `simulated_least` counts below it two are right; (2 + 1)/(5 + 2) = 0.43.
+/// Largest probability of such a ladder. Reason: it is as likely wrong as right. Evidence: of the four answers below
+/// `simulated_least` that its evidence counts two are right; (2 + 1)/(4 + 2).
 inline constexpr double believed_simulated = 0.5;
 /// Relative RMS, over strides of 1 to 6 rows, by which white noise and the jerk of the motion miss what third
 /// differences show, above which the noise has a memory. Reason: estimates of white noise agree to a hundredth or two.

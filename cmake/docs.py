@@ -18,6 +18,9 @@ import tempfile
 import library
 import notebooks
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "tests"))
+import house_policy
+
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
 POLICY = "analysis/diagnosis/policy/policy.h"
@@ -43,9 +46,12 @@ A number that does not exist is `null`. `[]` stands for the entries of a list, `
 METHOD = """# Thresholds of the diagnosis
 
 [How the diagnosis works](how-the-diagnosis-works.md) describes the method. This page lists every threshold that decides an answer, from
-`{policy}`, with its unit, its reason and its evidence. What a threshold was compared with in blind cases is measured again by
+`{policy}`, with its unit, its reason and its evidence. What a threshold is compared with in blind cases is measured again by
 `tests/evidence`. A definition has no evidence and needs none: it says what a word of the answer means, and another number would give the word
 another meaning.
+
+Of {all} numbers {evidence} have evidence of their own, {definition} are definitions and {numerical} numerical. {none} have no evidence yet: no case on
+the other side of them has been seen, or too few. These are chosen: {without}.
 """
 LIMITS_HEAD = """
 ## Limits of work
@@ -116,16 +122,33 @@ def declarations(source):
             comment, statement = [], None
 
 
+def entries(statement):
+    """(comment, text) of every member of a struct and every entry of a list: `.name = value` or `Type{...}`."""
+    comment, text = [], ""
+    for line in map(str.strip, statement.splitlines()[1:-1]):
+        if line.startswith("///"):
+            comment.append(line[3:].strip())
+            continue
+        text += line
+        if text.endswith((",", "},")) and text.count("{") == text.count("}"):
+            yield " ".join(comment), text.rstrip(",")
+            comment, text = [], ""
+
+
 def rows_of_fields(statement):
-    for name, value, why in re.findall(r"^\s*\.(\w+) = ([^,\n]+),[ \t]*(?://[ \t]*(.*))?$", statement, re.MULTILINE):
-        yield name, value, why
+    for comment, text in entries(statement):
+        if member := re.match(r"\.(\w+) = ([^{]+)$", text):
+            yield [(member[1], member[2])], comment
 
 
 def rows_of_ranges(statement):
-    pattern = r'\w+\{\s*"([^"]+)",\s*"([^"]+)",\s*([^,]+),\s*([^,]+),\s*Per::(\w+),\s*((?:"[^"]*"\s*)+)\}'
-    for effect, parameter, low, high, per, reason in re.findall(pattern, statement):
-        top = "–" if float(high) >= 1e9 else high
-        yield f"`{effect}.{parameter}`", low, top, per.replace("_", " "), "".join(re.findall(r'"([^"]*)"', reason))
+    pattern = r'\w+\{"([^"]+)", "([^"]+)", ([^,]+), ([^,]+), Per::(\w+),\s*((?:"[^"]*"\s*)+)\}'
+    for comment, text in entries(statement):
+        if found := re.match(pattern, text):
+            effect, parameter, low, high, per, reason = found.groups()
+            top = "–" if float(high) >= 1e9 else high
+            yield (f"`{effect}.{parameter}`", low, top, per.replace("_", " "), "".join(re.findall(r'"([^"]*)"', reason)),
+                   reasoned(comment)[2])
 
 
 def constants(statement):
@@ -137,34 +160,34 @@ def constants(statement):
 
 def reasoned(comment):
     """What a threshold is, its reason and its evidence, apart."""
-    what, _, why = comment.partition(" Reason: ")
-    reason, mark, evidence = why.partition(" Evidence: ")
-    if not mark:
-        reason, mark, evidence = why.partition(" Definition: ")
-        evidence = mark and "**definition**: " + evidence
-    else:
-        evidence = evidence[:1].upper() + evidence[1:]
-    return what, reason[:1].upper() + reason[1:], evidence
-
-
-def shown(value):
-    return "see above" if re.fullmatch(r"[a-z_]+", value) and value not in ("true", "false") else value
+    if comment.startswith("numerical: "):
+        what, _, why = comment.removeprefix("numerical: ").partition(". ")
+        return what[:1].upper() + what[1:] + ".", why, "**numerical**"
+    what, _, rest = f" {comment}".partition(" Reason: ")
+    why, kind, said = re.match(r"(.*?)(?: ?(Evidence|Definition): (.*))?$", rest or what).groups("")
+    if kind == "Definition":
+        said = "**definition**: " + said
+    elif said.startswith("none yet"):
+        said = "**none yet**" + said.removeprefix("none yet")
+    return what.strip() if rest else "", why[:1].upper() + why[1:], said[:1].upper() + said[1:]
 
 
 def method():
     source = (ROOT / POLICY).read_text(encoding="utf-8")
-    text = MADE + METHOD.format(policy=POLICY)
+    counts, without = house_policy.kinds(source.splitlines())
+    text = MADE + METHOD.format(policy=POLICY, all=sum(counts.values()), evidence=counts["evidence"], none=counts["none yet"],
+                                definition=counts["definition"], numerical=counts["numerical"],
+                                without=", ".join(f"`{name}`" for name in without))
     single = []
     for comment, statement in declarations(source):
         name = re.search(r"(\w+)\s*(?:=|\{)", re.sub(r"inline constexpr (?:std::)?", "", statement, count=1)).group(1)
         ranges, fields = list(rows_of_ranges(statement)), list(rows_of_fields(statement))
         title = f"\n## {name.replace('_', ' ')}\n\n" + (comment + "\n\n" if comment else "")
         if ranges:
-            text += title + row("Parameter", "Least", "Most", "Counted in", "Reason") + row(*["---"] * 5)
+            text += title + row("Parameter", "Least", "Most", "Counted in", "Reason", "Evidence") + row(*["---"] * 6)
             text += "".join(row(*entry) for entry in ranges)
         elif fields:
-            text += title + row("Name", "Value", "Unit, reason, evidence") + row(*["---"] * 3)
-            text += "".join(row(f"`{n}`", shown(v), why or ("see above" if comment or shown(v) != v else "")) for n, v, why in fields)
+            text += title + table_of((values, words) for values, words in fields if words)
         else:
             single.append((constants(statement), comment))
     text += "\n## Single thresholds\n\n" + table_of(single)

@@ -16,6 +16,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 import house_doors  # beside this file
+import house_policy
 import house_sizes
 
 GIVEN = [given for given in sys.argv[1:] if not given.startswith("--")]
@@ -111,14 +112,12 @@ def comment_complaints():
 
 
 # What decides an answer of the diagnosis has a name, a reason and its evidence in one file.
-POLICY = "analysis/diagnosis/policy/policy.h"
+POLICY = house_policy.POLICY
 DECIMAL = r"\d+(?:\.\d+(?:e[-+]?\d+)?|e[-+]?\d+)"
 COMPARED = re.compile(rf"(?:[<>]=?|[!=]=)\s*-?(?:[\w.:\[\]()]+ \* )?{DECIMAL}\b|\b{DECIMAL}(?: \* [\w.:\[\]()]+)?\s*(?:[<>]=?|[!=]=)")
 # A whole number as a factor of what is compared, from 3 on; and a bare number that a condition chooses.
 WHOLE_FACTOR = re.compile(r"[<>]=?\s*-?(?:[3-9]|\d{2,}) \* |(?<![\w.])(?:[3-9]|\d{2,}) \* [\w.:\[\]()]+\s*[<>]=?[^<>]")
 CHOSEN = re.compile(rf"\? (?:{DECIMAL} : -?[\d.]+|-?[\d.]+ : {DECIMAL})\b")
-OWN_THRESHOLD = re.compile(r"constexpr double ")
-VERDICT = "analysis/diagnosis/verdict"
 
 
 # A file that writes verdicts, reasons or findings compares data with the policy. A number of its own that is compared is
@@ -162,8 +161,8 @@ def own_threshold_complaints():
 
 
 def policy_complaints():
-    """In the diagnosis no decimal number is compared with but by a name; the room of the verdict defines none of its own;
-    every threshold of the policy says its reason, and its evidence or that it is a definition."""
+    """In the diagnosis no decimal number is compared with but by a name;
+    every number of the policy says what supports it, and every other one that it is numerical."""
     for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             code = re.sub(r'"[^"]*"', "", line.split("//")[0])
@@ -172,23 +171,9 @@ def policy_complaints():
                 yield f"{path}:{number}: compares with a bare number; name it here (numerical limit) or in {POLICY} (threshold)"
             if CHOSEN.search(code) and not scan:
                 yield f"{path}:{number}: chooses a bare number; thresholds stand in {POLICY}, numerical limits say \"// numerical: WHAT\""
-            if path.is_relative_to(VERDICT) and path.suffix == ".cpp" and OWN_THRESHOLD.search(code) and "//" not in line:
-                yield f"{path}:{number}: a number of the verdict without a word; thresholds stand in {POLICY}"
-    if not (SOURCE / POLICY).exists():
-        return
-    comment = ""
-    for number, line in enumerate((SOURCE / POLICY).read_text(encoding="utf-8").splitlines(), 1):
-        if line.startswith("///"):
-            comment += line[3:]
-        elif line.startswith("inline constexpr"):
-            single = line.startswith("inline constexpr double")
-            if single and "Reason:" not in comment:
-                yield f"{POLICY}:{number}: a threshold without a reason"
-            elif single and "Evidence:" not in comment and "Definition:" not in comment:
-                yield f"{POLICY}:{number}: a threshold with neither evidence nor the word that it is a definition"
-            comment = ""
-        elif not line.strip():
-            comment = ""
+        yield from house_policy.beside(path, (SOURCE / path).read_text(encoding="utf-8").splitlines())
+    if (SOURCE / POLICY).exists():
+        yield from house_policy.complaints((SOURCE / POLICY).read_text(encoding="utf-8").splitlines())
 
 
 # The diagnosis refuses with codes (CannotAnswer, NotFitted); their sentences are composed in sweep/words.

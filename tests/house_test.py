@@ -7,6 +7,7 @@ from pathlib import Path
 
 HOUSE = Path(__file__).parent / "house.py"
 EXCEPTIONS = "tests/house_exceptions.toml"
+POLICY = "analysis/diagnosis/policy/policy.h"
 GOOD = {"analysis/base/law.h": "// A law.\n#pragma once\n"}
 
 
@@ -81,6 +82,33 @@ CASES = [
      "most decides an answer"),
     ("one that is numerical", {"analysis/diagnosis/fit/fit.h": "#pragma once\ninline constexpr double most = 0.12;  ///< numerical: a scan\n",
                                "analysis/diagnosis/fit/fit.cpp": "if (share > most) d.verdict = Verdict::gap;\n"}, None),
+    ("a number of the diagnosis that is not in the policy", {"analysis/diagnosis/fit/fit.cpp": "constexpr double most = 0.12;\n"},
+     "fit.cpp:1: a number beside the policy"),
+    ("a list of them", {"analysis/diagnosis/fit/fit.cpp": "constexpr std::array<double, 2> most{0.1, 0.2};  // of the travel\n"},
+     "fit.cpp:1: a number beside the policy"),
+    ("one that is numerical and says no more", {"analysis/diagnosis/fit/fit.cpp": "constexpr double most = 0.12;  // numerical\n"},
+     "a number beside the policy"),
+    ("one whose comment above says why", {"analysis/diagnosis/fit/fit.cpp": "// numerical: of a scan,\n// in a logarithm\nconstexpr double most = 0.12;\n"},
+     None),
+    ("a comment that is not above it", {"analysis/diagnosis/fit/fit.cpp": "// numerical: of a scan\nint steps();\nconstexpr double most = 0.12;\n"},
+     "fit.cpp:3: a number beside the policy"),
+    ("two numbers of the policy with one comment",
+     {POLICY: "/// Parts. Reason: so. Evidence: of ten none.\ninline constexpr double most = 0.1, least = 0.2;\n"}, "most and 1 more share a comment"),
+    ("a number of the policy without a reason", {POLICY: "/// A part. Evidence: of ten none.\ninline constexpr double most = 0.1;\n"},
+     "most is a threshold without a reason"),
+    ("one with the evidence of another", {POLICY: "/// A part. Reason: so. Evidence: of ten none.\ninline constexpr double most = 0.1;\n"
+                                                 "inline constexpr std::size_t least = 2;\n"}, "policy.h:3: least is a threshold without a reason"),
+    ("one without evidence", {POLICY: "/// A part. Reason: so. Evidence:\ninline constexpr double most = 0.1;\n"},
+     "most is a threshold with neither evidence"),
+    ("one that is a definition", {POLICY: "/// A part. Reason: so. Definition: most.\ninline constexpr double most = 0.1;\n"}, None),
+    ("one that is numerical in the policy", {POLICY: "/// numerical: of a search.\ninline constexpr int most = 3;\n"}, None),
+    ("a member of a struct with the evidence of the whole",
+     {POLICY: "/// Parts. Reason: so. Evidence: of ten none.\ninline constexpr Rules rules{\n    .most = 0.1,  // a part\n};\n"},
+     "policy.h:3: most is a threshold without a reason"),
+    ("a member with its own", {POLICY: "/// Parts.\ninline constexpr Rules rules{\n    /// A part. Reason: so. Evidence: of ten none.\n    .most = 0.1,\n"
+                                       "    .others = other_rules,\n};\n"}, None),
+    ("an entry of a list without evidence", {POLICY: 'inline constexpr std::array ranges{\n    Range{"play", "width", 0, 1, "so"},\n};\n'},
+     "policy.h:2: play.width is a threshold with neither evidence"),
     ("a page that reads the policy", {"sweep/words/text.cpp": '#include "analysis/diagnosis/policy/policy.h"\n'}, None),
     ("words in a refusal of the diagnosis", {"analysis/diagnosis/fit/fit.cpp": 'throw std::runtime_error("no");\n'}, "refuses with words"),
 ]

@@ -13,8 +13,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double two_sided_95 = 1.96;  // standard deviations
-
 }  // namespace
 
 void report_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
@@ -72,9 +70,9 @@ void report_filter(const Prepared& p, Diagnosis& d)
         // v += g (difference - v): the file means g = T/(tau + T); the exact response to a held input
         // has this one (Franklin, Powell and Workman 1998)
         const double exact = -std::expm1(-tick / documented), found = tick / (number.value + tick);
-        const double error = is_set(number.standard_error)
-                                 ? two_sided_95 * number.standard_error * tick / std::pow(number.value + tick, 2)
-                                 : 0;
+        const double error = is_set(number.standard_error) ? policy::two_sided_95 * number.standard_error * tick /
+                                                                 std::pow(number.value + tick, 2)
+                                                           : 0.0;
         if (std::abs(found - exact) > std::max(policy::flagged_gain * exact, error)) continue;
         d.notes.push_back({.code = Note::Code::filter_as_exponential, .values = {number.value, documented}});
         return;

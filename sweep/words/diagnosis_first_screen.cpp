@@ -195,8 +195,7 @@ Headline how_sure_card(const Diagnosis& d)
                                whole_percent(d.effects[1].probability));
     else
         meaning += "no other candidate remains";
-    constexpr double worth_telling = 0.05;
-    if (const double none = probability_of_none(d); none >= worth_telling)
+    if (const double none = probability_of_none(d); none >= gap::policy::stated_none)
         meaning += fmt::format("; {} that the cause is not listed", whole_percent(none));
     return {Tone::neutral, whole_percent(first.probability), meaning};
 }

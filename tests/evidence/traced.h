@@ -52,6 +52,8 @@ struct Traced {
         return value;
     }
 
+    /// What a rule of the diagnosis sets itself is no threshold.
+    Traced& operator=(double other) { return *this = Traced{other}; }
     void set(double other) { value = base = other; }
 
     void record(double other) const

@@ -28,8 +28,8 @@ class AfterHole {
     }
 
   private:
-    static constexpr double forgotten = 15;         // time constants: e⁻¹⁵ of a reading is left
-    static constexpr double most_of_record = 0.25;  // that the start may take: slower filters are looked at, too
+    static constexpr double forgotten = 15;         // numerical: time constants: e⁻¹⁵ of a reading is left
+    static constexpr double most_of_record = 0.25;  // numerical: for the start: slower filters are looked at, too
     const Ticks& ticks_;
     bool matters_;
     double memory_, until_ = -infinity;

@@ -13,8 +13,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double exact_velocity =
-    1e-3;  // numerical: misfit over rms of the steps of the velocity, as digits are logged
+constexpr double exact_velocity = 1e-3;  // numerical: misfit over rms of the velocity's steps, as digits are logged
 
 struct Recursion {
     double gain = 0, misfit = 1;
@@ -53,9 +52,9 @@ bool is_filter(const Recursion& seen)
 /// steps; where it has a kink the rows are left out.
 bool changes_make_the_command(const Case& c)
 {
-    constexpr double kink = 5, mostly = 0.95;  // numerical: rms; rows that stay
-    constexpr int rounds = 5;                  // numerical: of leaving kinks out
-    constexpr std::array<double, 6> fifth{1, -5, 10, -10, 5, -1};
+    constexpr double kink = 5, mostly = 0.95;                      // numerical: rms; rows that stay
+    constexpr int rounds = 5;                                      // numerical: of leaving kinks out
+    constexpr std::array<double, 6> fifth{1, -5, 10, -10, 5, -1};  // numerical: a difference
     const Ticks& t = c.ticks;
     GainRegression rows;
     const auto usable = [&](std::size_t k) {
@@ -110,7 +109,7 @@ double distance_to_grid(double y, double quantum)
 /// anything moves: a quarter where they know nothing of it, NaN where nothing moves.
 double off_grid(const std::vector<Case>& cases, double tau, std::size_t stride = 1)
 {
-    constexpr double still = 1e-3;  // steps a tick: a reading between equal ones fits any filter
+    constexpr double still = 1e-3;  // numerical: steps a tick: a reading between equal ones fits any filter
     double sum = 0, n = 0;
     for (const auto& c : cases) {
         const Ticks& t = c.ticks;

@@ -18,7 +18,7 @@ template <class Set>
 std::pair<double, double> best_number(std::vector<Case>& cases, double limit, double documented, double first,
                                       std::pair<double, double> range, const Set& set)
 {
-    constexpr double ratio = 1.4;
+    constexpr double ratio = 1.4;  // numerical: of the scan
     const auto set_all = [&](double value) {
         for (auto& c : cases) set(c.joint.control, value);
     };

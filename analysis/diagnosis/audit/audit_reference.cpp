@@ -61,7 +61,7 @@ GainRegression::Answer regress(const GainRegression& d, bool with_k_v)
         for (const auto& row : d.rows()) sizes.push_back(std::abs(GainRegression::left(row, g)));
         const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
         std::nth_element(sizes.begin(), middle, sizes.end());
-        constexpr double outlier = 8;  // medians
+        constexpr double outlier = 8;  // numerical: medians, beyond which a row is left out of a fit
         within = std::max(outlier * *middle, 1e-12 * g.rms);
     }
     return g;
@@ -80,7 +80,7 @@ double best_tau(const std::vector<Case>& cases, double limit)
     const double tick = cases[0].ticks.step[0];
     const auto misfit = [&](double tau) { return misfit_of(cases, tau, limit); };
     double best = 0, least = misfit(0), low = 0, high = 0.1 * tick;
-    constexpr double ratio = 1.4;
+    constexpr double ratio = 1.4;  // numerical: of the scan
     for (double tau = 0.1 * tick; tau < 100 * tick; tau *= ratio)
         if (const double m = misfit(tau); m < least) least = m, best = tau, low = tau / ratio, high = tau * ratio;
     const double refined = least_between(low, high, misfit);

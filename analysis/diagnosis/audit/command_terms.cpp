@@ -45,7 +45,7 @@ std::array<double, linear_terms> changes(const Control& c, const Tick& t, bool i
 /// At a kink of the reference its rate is anybody's guess unless it was logged.
 bool kinked(const Ticks& t, std::size_t k, double fastest)
 {
-    constexpr double bent = 0.02;  // of the largest rate
+    constexpr double bent = 0.02;  // numerical: of the largest rate
     if (k == 0 || k + 1 >= t.size()) return true;
     const double before = (t.reference[k] - t.reference[k - 1]) / t.step[k - 1],
                  after = (t.reference[k + 1] - t.reference[k]) / t.step[k];
@@ -135,7 +135,7 @@ TermFit fit_terms(const CommandTerms& terms, const std::vector<int>& chosen)
     if (all > 0 && !(unit.minCoeff() > 0)) return fit;
     const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() * G * unit.cwiseInverse().asDiagonal();
     const Eigen::LDLT<Eigen::MatrixXd> solver(scaled);
-    constexpr double collinear = 1e-10;
+    constexpr double collinear = 1e-10;  // numerical: of the pivots
     if (all > 0) {
         if (!(solver.vectorD().minCoeff() > collinear)) return fit;
         x = solver.solve(g.cwiseQuotient(unit)).cwiseQuotient(unit);

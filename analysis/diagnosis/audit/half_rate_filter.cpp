@@ -19,9 +19,9 @@ namespace {
 /// The share whose noise has this slope: that of noise falls up to shares of 0.9 and hardly changes beyond.
 double share_of_noise(double slope)
 {
-    constexpr double steepest = 0.9;
+    constexpr double steepest = 0.9;  // numerical: end of the scan
     if (slope <= slope_of_noise(steepest)) return 1;
-    constexpr double precision = 1e-9;
+    constexpr double precision = 1e-9;  // numerical: of the root
     const auto above = [&](double share) { return slope_of_noise(share) - slope; };
     return bracketed_root(above, 0.0, above(0), steepest, above(steepest), precision).value;
 }
@@ -30,7 +30,7 @@ double share_of_noise(double slope)
 
 std::optional<FilterShares> filter_shares_of_halves(const std::vector<Case>& cases)
 {
-    constexpr double few = 100;
+    constexpr double few = 100;  // numerical: rows that give a correlation
     double both = 0, square = 0, rows = 0;
     for (const auto& c : cases) {
         const Ticks& t = c.ticks;

@@ -38,15 +38,12 @@ double effort_noise_of(const Case& c, const std::vector<double>& measured)
     return std::min(noise_of(measured), noise_of(left));
 }
 
-/// The same for an effort: a lag or a delay is written down in slightly different ways.
-constexpr double effort_part = 1e-3;
-
 /// Noise of the effort that drives the joint.
-double drive_noise(const Case& c, const Record& record, double doubt, std::vector<Note>& notes)
+double drive_noise(const Case& c, const Record& record, std::vector<Note>& notes)
 {
     if (c.joint.sensor.effort_noise > 0) return c.joint.sensor.effort_noise;
     notes.push_back({Note::Code::no_documented_effort_noise, record.name});
-    return doubt * noise_of(record.effort_measured);
+    return policy::doubted_estimate * noise_of(record.effort_measured);
 }
 
 /// What the error of a known load adds to the predictions: those with it against those without.
@@ -109,20 +106,18 @@ void find_effort_noise(Case& c, const Record& record, std::vector<Note>& notes)
     const bool unknown_between = c.ticks.unseen_between() && is_set(c.joint.control.period);
     const double command_noise =
         unknown_between ? noise_of_command(c.joint.control, c.sigma) * std::abs(c.joint.actuator.effort_gain) : 0;
-    // an estimate that is a little low would make a gap of plain noise
-    constexpr double doubt = 1.03;
-    if (c.ticks.source == CommandSource::measured) c.drive_sigma = drive_noise(c, record, doubt, notes);
+    if (c.ticks.source == CommandSource::measured) c.drive_sigma = drive_noise(c, record, notes);
     if (c.ticks.has_effort) {
         const double range = rms(record.effort_measured);
         double sigma = c.joint.sensor.effort_noise;
         if (sigma == 0) {
             sigma = effort_noise_of(c, record.effort_measured);
             c.joint.sensor.effort_noise = sigma;
-            sigma *= doubt;
+            sigma *= policy::doubted_estimate;
             notes.push_back({Note::Code::no_documented_effort_noise, record.name});
         }
-        c.effort_sigma =
-            std::hypot(sigma, effort_part * range, c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
+        c.effort_sigma = std::hypot(sigma, policy::model_noise_of_effort * range,
+                                    c.joint.actuator.kind == ActuatorKind::effort ? command_noise : 0);
     }
 }
 

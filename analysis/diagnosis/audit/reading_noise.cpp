@@ -12,7 +12,7 @@ namespace stickslip::gap {
 namespace {
 
 /// Model noise that no two integrators agree on, as a part of the span of a signal.
-constexpr double numerical_part = 2e-7;
+constexpr double numerical_part = 2e-7;  // numerical: of the span
 }  // namespace
 
 double noise_of(const std::vector<double>& y)
@@ -30,7 +30,7 @@ double noise_of(const std::vector<double>& y)
         return n > 0 ? std::sqrt(sum / n) : 0;
     };
     // impacts and steps are rare and large, and are no noise; where most differences vanish all that is left is steps
-    constexpr double normal = 1.4826, far = 5;
+    constexpr double normal = 1.4826, far = 5;  // numerical: of a median; spreads, of a trimmed one
     double spread = normal * percentile(third, 0.5);
     if (spread == 0) return rms_below(infinity) / std::sqrt(20.0);
     for (int i = 0; i < 5; ++i) spread = rms_below(far * spread);
@@ -39,7 +39,7 @@ double noise_of(const std::vector<double>& y)
 
 namespace {
 
-constexpr std::array<double, 5> strides{1, 2, 3, 4, 6};  ///< rows between readings that are compared
+constexpr std::array<double, 5> strides{1, 2, 3, 4, 6};  ///< numerical: rows between readings that are compared
 
 /// Sum of the squares of the third difference's coefficients, weighed by the correlation of noise that keeps this part
 /// of itself over a stride: var(Δ³y) = σ² (20 − 30 a + 12 a² − 2 a³).
@@ -116,14 +116,13 @@ double noise_of_command(const Control& control, double reading)
 
 void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<Note>& notes)
 {
-    constexpr double seldom = 0.5;  // of a step: what moves less than that is seen only in passing
     const double step = documented.encoder_quantum;
     double noise = 0, sigma = 0;
     for (const auto& c : cases) {
         noise = std::max(noise, c.joint.sensor.position_noise), sigma = std::max(sigma, c.sigma);
         if (c.joint.sensor.encoder_quantum != step) return;
     }
-    if (documented.position_noise > 0 || sigma >= seldom * step) return;
+    if (documented.position_noise > 0 || sigma >= policy::seldom_a_step * step) return;
     for (auto& c : cases) {
         if (c.sigma < sigma) notes.push_back({Note::Code::noise_of_noisiest, c.ticks.name});
         c.joint.sensor.position_noise = noise, c.sigma = sigma;

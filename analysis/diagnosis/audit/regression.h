@@ -27,7 +27,7 @@ class GainRegression {
     template <class Take>
     Answer solve(bool with_k_v, const Take& take) const
     {
-        constexpr double collinear = 1e-14;
+        constexpr double collinear = 1e-14;  // numerical: of the determinant
         double aa = 0, ab = 0, bb = 0, au = 0, bu = 0, uu = 0;
         Answer x;
         for (const Row& r : rows_) {

@@ -36,7 +36,7 @@ Scales scales_of(const std::vector<Case>& cases)
         s.coulomb = coulomb_force(main) / s.friction.effort;
         if (is_set(c.joint.actuator.supply_voltage)) s.supply = c.joint.actuator.supply_voltage;
     }
-    constexpr double least = 1e-12;
+    constexpr double least = 1e-12;  // numerical: of a scale, against a division by nothing
     s.effort = std::max({effort, s.coulomb, least});
     s.velocity = std::max(velocity, least);
     s.position = std::max(position, least);

@@ -16,7 +16,7 @@ namespace {
 double missed_at_start(const Case& c)
 {
     constexpr std::size_t rows = 10;
-    constexpr double omega = 20;  // rad/s: hardly corrects within these rows
+    constexpr double omega = 20;  // numerical: rad/s, hardly corrects within these rows
     std::size_t ticks = 0, seen = 0;
     while (ticks < c.ticks.size() && seen < rows) seen += c.ticks.logged[ticks++];
     const Ticks first = first_ticks(c.ticks, ticks);
@@ -33,13 +33,11 @@ double missed_at_start(const Case& c)
 
 void find_start(Case& c, std::vector<Note>& notes)
 {
-    // mean square; of that of rest: an unmodelled force that sets a joint in motion leaves a sixth
-    constexpr double clearly = 25, much_better = 0.05;
     const double at_rest = missed_at_start(c);
-    if (!(at_rest > clearly)) return;
+    if (!(at_rest > policy::missed_at_rest)) return;
     Case moving = c;
     start_moving(moving.ticks);
-    if (!(missed_at_start(moving) < much_better * at_rest)) return;
+    if (!(missed_at_start(moving) < policy::left_by_motion * at_rest)) return;
     c.ticks = std::move(moving.ticks);
     notes.push_back({Note::Code::starts_moving, c.ticks.name});
 }
@@ -70,8 +68,8 @@ void find_integral(Case& c)
     const double held = median(beyond);
     std::vector<double> apart;
     for (const double b : beyond) apart.push_back(std::abs(b - held));
-    constexpr double agree = 0.1, digits = 1e-6;  // of what it held; of the largest command
-    if (median(apart) > agree * std::abs(held) || std::abs(held) < digits * largest) return;
+    constexpr double digits = 1e-6;  // numerical: of the largest command
+    if (median(apart) > policy::held_at_start * std::abs(held) || std::abs(held) < digits * largest) return;
     t.initial_integral = held / controller.integral_gain();
 }
 

@@ -23,14 +23,14 @@ struct Usual {
     double low = infinity, high = -infinity;  ///< of the positions
     std::array<double, errors - 1> error{};   ///< quantiles of the squared prediction error
 };
-constexpr std::array<double, errors - 1> quantiles{0.5, 0.9, 0.99, 0.999};
+constexpr std::array<double, errors - 1> quantiles{0.5, 0.9, 0.99, 0.999};  // numerical: classes
 
 /// A record's motion as the nominal joint predicts it.
 struct Predicted {
     Innovation at;
     double acceleration(const Ticks& t, std::size_t k) const
     {
-        constexpr double reach = 0.01;  // s
+        constexpr double reach = 0.01;  // numerical: s
         const auto n = std::max<std::size_t>(1, static_cast<std::size_t>(reach / t.step[k]));
         const std::size_t a = k < n ? 0 : k - n, b = std::min(k + n, t.size() - 1);
         return (at.velocity[b] - at.velocity[a]) / std::max(t.time[b] - t.time[a], 1e-12);
@@ -67,7 +67,7 @@ Usual usual_of(const std::vector<Case>& records, const std::vector<Predicted>& m
             usual.low = std::min(usual.low, t.position[k]), usual.high = std::max(usual.high, t.position[k]);
         }
     }
-    constexpr double most = 0.95;
+    constexpr double most = 0.95;  // numerical: quantile of classes
     usual.speed = percentile(speed, most), usual.effort = percentile(effort, most);
     usual.acceleration = percentile(acceleration, most);
     for (std::size_t i = 0; i < quantiles.size(); ++i) usual.error[i] = percentile(error, quantiles[i]);
@@ -133,7 +133,7 @@ void add(Counts& to, const Counts& counts)
 /// From the readings on both sides: over a few rows of a fast log it would be their noise.
 double velocity_about(const Ticks& t, std::size_t k)
 {
-    constexpr double reach = 0.01;  // s
+    constexpr double reach = 0.01;  // numerical: s
     std::size_t a = k, b = k;
     while (a > 0 && t.time[k] - t.time[a] < reach) --a;
     while (b + 1 < t.size() && t.time[b] - t.time[k] < reach) ++b;

@@ -50,7 +50,7 @@ void add_two_mass(Effect& e)
     };
     f.apply = [](Joint& j, const double* p) { j.mechanism.transmission.backlash = p[0]; };
     // a wrong width is worse than none: only within a fifth of the right one does the misfit lead to it
-    constexpr double narrowest = 5e-4, widest = 0.15, step = 1.35;
+    constexpr double narrowest = 5e-4, widest = 0.15, step = 1.35;  // numerical: starts of the search
     for (double width = narrowest; width < widest; width *= step) f.seeds.push_back({width});
     f.applies = is_two_mass;
     f.rough = true;

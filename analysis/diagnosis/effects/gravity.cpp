@@ -20,7 +20,7 @@ Effect gravity()
     e.source = "Newton 1687";
     e.confusable = {"sensor-offset", "constant-load", "cogging"};
     // a documented one of the wrong sign is off by twice its amplitude, of which a record near the bottom feels little
-    constexpr double widest = 10;
+    constexpr double widest = 10;  // numerical: of the search; a parameter at its bound is implausible
     {
         EffectForm f;
         f.name = "amplitude";

@@ -12,19 +12,19 @@ namespace stickslip::gap {
 namespace {
 
 // of what is usual, or of a logarithm; over a wide step the teeth of a jagged misfit hardly count
-constexpr double slope_step = 1e-4, wide_slope_step = 0.01;
-constexpr double least_usual = 0.1;  // in units of the parameter's scale
+constexpr double slope_step = 1e-4, wide_slope_step = 0.01;  // numerical: of a difference
+constexpr double least_usual = 0.1;                          // numerical: in units of the parameter's scale
 constexpr int most_halvings = 10;
 /// Parameters with a prior hardly move: their slopes are found anew every few steps, and where a step fails.
 constexpr int worn_after = 3;
 /// The damping, as a part of the diagonal: where it starts and starts again, its least value, and what a step that
-/// fails and one that succeeds make of it.
+/// fails and one that succeeds make of it; numerical: of Levenberg and Marquardt.
 constexpr double usual_damping = 1e-3, least_damping = 1e-7, harder = 8, easier = 0.2;
-constexpr double ridge = 1e-12;  // of the largest diagonal entry: what no record shows stays where it is
-constexpr double longest_in_logarithm = 1.5;
+constexpr double ridge = 1e-12;  // numerical: of the largest diagonal entry: what no record shows stays where it is
+constexpr double longest_in_logarithm = 1.5;  // numerical: of a step
 /// The first trial mostly succeeds; where it fails the more damped ones go side by side.
 constexpr int first_trials = 1, other_trials = 4;
-constexpr double least_fall = 2e-4;  // of the objective in one step: less is its end
+constexpr double least_fall = 2e-4;  // numerical: of the objective in one step: less is its end
 
 class Descent {
   public:
@@ -263,8 +263,8 @@ class Descent {
 /// On the other side of the nearest whole unit; nothing where the number is far from one.
 std::optional<double> across_a_jump(double x)
 {
-    // numerical: behind a jump by more than a clock's rounding; further off, slopes have led away from it
-    constexpr double just_behind = 0.02, near = 0.25;
+    // behind a jump by more than a clock's rounding; further off, slopes have led away from it
+    constexpr double just_behind = 0.02, near = 0.25;  // numerical: rows
     const double whole = std::round(x);
     if (x == whole || std::abs(x - whole) > near) return {};
     return x > whole ? whole : whole + just_behind;

@@ -9,7 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double piece = 1, run_in = 0.3;  // s; the slowest observer forgets its start in 3/ω = 0.15 s
+constexpr double piece = 1, run_in = 0.3;  // numerical: s; the slowest observer forgets its start in 3/ω = 0.15 s
 constexpr std::size_t fewest = 3;          // pieces of a record
 constexpr std::size_t around = 4;          // rows on either side that give the velocity at a new start
 
@@ -114,7 +114,7 @@ std::vector<Case> excerpts(const std::vector<Case>& cases, double omega, std::si
     std::vector<Case> some = cases;
     std::size_t total = 0;
     for (auto& c : some) c.step_factor = step_factor, total += c.ticks.size();
-    constexpr double worth_cutting = 0.7;
+    constexpr double worth_cutting = 0.7;  // numerical: of the work
     const double share = static_cast<double>(budget) / static_cast<double>(total) / (1 + run_in / piece);
     if (share > worth_cutting) return some;
     for (auto& c : some) {

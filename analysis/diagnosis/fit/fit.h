@@ -41,12 +41,12 @@ inline double rows_of(const std::vector<Case>& cases)
 }
 
 /// Bandwidths of the observer, rad/s: the horizons over which a prediction has to hold (9, 20 and 50 ms, in 1/ω).
-inline constexpr std::array<double, 3> levels{110, 50, 20};
+inline constexpr std::array<double, 3> levels{110, 50, 20};  // numerical: every judgement is made at all of them
 /// A slower one, rad/s (83 ms): what builds up over many rows, where the loop as a whole is not simulated.
-inline constexpr double slow_observer = 12;
+inline constexpr double slow_observer = 12;  // numerical: as the levels
 
 /// Errors of a model hang together for about so many seconds, which are one block of the objective and one reading.
-inline constexpr double block_time = 0.2;
+inline constexpr double block_time = 0.2;  // numerical: s
 
 /// Some effects together, each in one of its forms.
 struct Candidate {
@@ -115,7 +115,7 @@ double reading_floor(const Case& c, double omega);
 double effort_floor(const Case& c, double omega);
 
 /// Least mean squares over the floor that count: noise, or what stood still and has no logarithm.
-inline constexpr double noise_square = 1, exact_square = 1e-12;
+inline constexpr double noise_square = 1, exact_square = 1e-12;  // numerical: arguments of a logarithm
 
 /// How far predictions are from one record at one level: mean squares over their prediction floors, 1 where only noise
 /// remains.

@@ -4,8 +4,8 @@ namespace stickslip::gap {
 
 bool settle_jumps(std::vector<Case>& cases, const Candidate& candidate, const std::vector<double>& si)
 {
-    constexpr double omega = 50;     // rad/s
-    constexpr double moments = 0.1;  // s; the observer has forgotten the jump by then
+    constexpr double omega = 50;     // numerical: rad/s
+    constexpr double moments = 0.1;  // numerical: s; the observer has forgotten the jump by then
     bool moved = false;
     for (auto& c : cases) {
         Ticks& t = c.ticks;

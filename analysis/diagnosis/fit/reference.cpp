@@ -47,7 +47,6 @@ Seen see(const Case& c, double limit)
 /// goes on straight to there.
 std::vector<double> sum_at_rows(const Seen& seen, std::size_t m)
 {
-    constexpr double alone = 4;  // of the last difference
     std::vector<double> row;
     for (std::size_t k = 0; k < seen.sum.size(); k += m) row.push_back(seen.sum[k]);
     for (std::size_t a = 0; a < row.size(); ++a) {
@@ -57,8 +56,8 @@ std::vector<double> sum_at_rows(const Seen& seen, std::size_t m)
         if (a == 0 && b == row.size()) return {};
         const double left = row[a == 0 ? b : a - 1], right = row[b == row.size() ? a - 1 : b];
         const double before = a > 1 ? std::abs(left - row[a - 2]) : 0, least = seen.least[a * m];
-        const bool jumped =
-            is_set(least) && seen.limited[a * m] * (least - left) > alone * before && b < row.size() && a > 0;
+        const bool jumped = is_set(least) && seen.limited[a * m] * (least - left) > policy::jump_into_limit * before &&
+                            b < row.size() && a > 0;
         for (std::size_t i = a; i < b; ++i) {
             const double part = static_cast<double>(i + 1 - a) / static_cast<double>(b + 1 - a);
             row[i] = jumped ? right : left + part * (right - left);

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/fit/residuals.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,11 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double block_scale = 20;  // mse over floor at which a block begins to count less
-
 /// Adds one channel's blocks to the objective and lists their mean squares; gives the mean square of all.
 double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::size_t count, std::size_t block,
                   double& objective, std::vector<double>& blocks)
 {
+    const double scale = policy::large_block;
     double total = 0, robust = 0;
     for (std::size_t b = 0; b < count; b += block) {
         const std::size_t end = std::min(b + block, count);
@@ -25,7 +25,7 @@ double add_blocks(const std::vector<double>& scaled, std::size_t begin, std::siz
         total += sum;
         const double rows = static_cast<double>(end - b);
         blocks.push_back(sum / rows);
-        robust += rows * block_scale * std::log1p(blocks.back() / block_scale);
+        robust += rows * scale * std::log1p(blocks.back() / scale);
     }
     const double n = static_cast<double>(std::max<std::size_t>(count, 1));
     objective += robust / n;
@@ -59,7 +59,7 @@ void append_rows(const Case& c, std::vector<double>& to, Scaled scaled)
 void append_residuals(const Case& c, double omega, const Innovation& innovation, std::vector<double>& scaled)
 {
     const double per_floor = 1 / (reading_floor(c, omega) * std::sqrt(noise_amplification(omega, c.row_step)));
-    constexpr double far = 1e6;  // a diverged prediction is bad, not infinitely bad
+    constexpr double far = 1e6;  // numerical: a diverged prediction is bad, not infinitely bad
     append_rows(c, scaled, [&](std::size_t k) {
         const double e = innovation.position[k] * per_floor;
         return std::isfinite(e) ? std::clamp(e, -far, far) : far;
@@ -214,6 +214,7 @@ Evaluation judged(const std::vector<Case>& cases, const std::vector<double>& sca
 /// Weights of the scaled residuals that make a weighted least-squares step a step on the robust objective.
 void block_weights(const std::vector<Case>& cases, const std::vector<double>& scaled, std::vector<double>& weights)
 {
+    const double scale = policy::large_block;
     weights.resize(scaled.size());
     std::size_t begin = 0;
     for (const auto& c : cases) {
@@ -224,7 +225,7 @@ void block_weights(const std::vector<Case>& cases, const std::vector<double>& sc
                 const std::size_t end = std::min(b + block, rows);
                 double sum = 0;
                 for (std::size_t i = b; i < end; ++i) sum += scaled[begin + i] * scaled[begin + i];
-                const double w = 1 / (1 + sum / static_cast<double>(end - b) / block_scale) / static_cast<double>(rows);
+                const double w = 1 / (1 + sum / static_cast<double>(end - b) / scale) / static_cast<double>(rows);
                 for (std::size_t i = b; i < end; ++i) weights[begin + i] = w;
             }
     }

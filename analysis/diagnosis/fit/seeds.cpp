@@ -74,7 +74,7 @@ std::vector<double> powers_of(const std::vector<Residual>& all, double low, doub
                 cosine[i] = b * turn_cosine[i] - a * turn_sine[i];
             }
             const double cc = static_cast<double>(n) - ss, determinant = ss * cc - sc * sc;
-            constexpr double collinear = 1e-6;  // of the largest determinant
+            constexpr double collinear = 1e-6;  // numerical: of the largest determinant
             if (determinant > collinear * (ss + cc) * (ss + cc))
                 total[f] += (s * s * cc - 2 * s * c * sc + c * c * ss) / determinant / square;
         }
@@ -108,7 +108,7 @@ std::vector<double> grid_peaks(const FitProblem& problem, const std::vector<doub
     for (std::size_t i = 0; i < peaks.size() && found.size() < count; ++i) {
         // refine between the neighbouring bins
         double best = low + bin * static_cast<double>(peaks[i]), least = powers[peaks[i]];
-        constexpr double finer = 0.2;
+        constexpr double finer = 0.2;  // numerical: of a bin
         constexpr std::size_t either_side = 4;
         const double from = best - finer * either_side * bin;
         const auto near = powers_of(all, from, finer * bin, 2 * either_side + 1);
@@ -136,7 +136,7 @@ std::vector<Eigen::VectorXd> starts(const std::vector<Case>& cases, const Scales
         if (const auto& p = form.parameters[i]; p.grid != FrequencyGrid::none) {
             // a weak force is hidden from a fast observer by the noise, one that changes fast from a slow one
             auto peaks = grid_peaks(fastest, si, p.grid, 3);
-            constexpr double same = 0.02;
+            constexpr double same = 0.02;  // numerical: starts that are one
             for (double f : grid_peaks(fastest.with_bandwidth(levels[1]), si, p.grid, 2))
                 if (std::ranges::none_of(peaks, [&](double other) { return std::abs(f - other) < same * other; }))
                     peaks.push_back(f);

@@ -13,7 +13,7 @@ namespace {
 using Point = std::vector<double>;
 
 /// Of the objective, by which the simplex ends.
-constexpr double tolerance = 1e-4;
+constexpr double tolerance = 1e-4;  // numerical: an end of a search
 /// Points that it may ask for next, looked at along with one.
 constexpr std::size_t most_guesses = 3;
 
@@ -22,7 +22,7 @@ constexpr std::size_t most_guesses = 3;
 std::vector<Point> guesses(const Minimisation& search, const Point& start, std::vector<double> values,
                            const Point& point)
 {
-    constexpr double extreme = 1e290;
+    constexpr double extreme = 1e290;  // numerical: infinity for the search
     const double best = values.empty() ? 0 : *std::ranges::min_element(values);
     std::vector<Point> found;
     for (std::vector<Point> before{{}}; !before.empty() && found.size() < most_guesses;) {

@@ -11,9 +11,9 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t level = 1;        // where models were fitted
-constexpr double observer = levels[0];  // rad/s
+constexpr double observer = levels[0];  // numerical: rad/s
 constexpr int iterations = 4;
-constexpr double settling = 5;  // periods of the corner that are removed at both ends of a record
+constexpr double settling = 5;  // numerical: periods of the corner that are removed at both ends of a record
 
 /// One section of second order, forwards in place.
 void filter(std::vector<double>& x, double corner, double rate, double quality)
@@ -91,7 +91,7 @@ std::vector<double> missing_force(const Case& c, const Joint& joint, double corn
 
 double drive_force_corner(const std::vector<Case>& cases)
 {
-    constexpr double highest = 100;  // Hz
+    constexpr double highest = 100;  // numerical: Hz
     double corner = highest;
     for (const auto& c : cases) corner = c.ticks.regular ? std::min(corner, 0.1 / c.row_step) : 0;
     return corner;

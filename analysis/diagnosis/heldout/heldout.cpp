@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/problem.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,6 @@ std::vector<Fold> folds_of(const std::vector<Case>& cases)
 std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales, const Attribution& cause)
 {
     if (cases.size() < 2 || cause.candidate.parameter_count() == 0) return folds_of(cases);
-    constexpr double hardly = 0.1;  // of what the effect takes off in the held-out record
     std::vector<Fold> folds;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const auto others = without(cases, {i});
@@ -86,7 +86,7 @@ std::vector<Fold> folds_for(const std::vector<Case>& cases, const Scales& scales
         for (std::size_t e = 0; e < cause.candidate.effects.size(); ++e) {
             if (cause.candidate.effects[e]->stage == Stage::correction) continue;
             const double here = worth_of(e, {cases[i]}, scales, cause);
-            alone = alone || (here > 0 && worth_of(e, others, scales, cause) < hardly * here);
+            alone = alone || (here > 0 && worth_of(e, others, scales, cause) < policy::hardly_in_others * here);
         }
         if (alone)
             add_thirds(cases, i, folds);
@@ -128,7 +128,7 @@ Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& s
     bool rough = false;
     for (const auto* f : found.candidate.forms) rough = rough || f->rough;
     // the start is near: a long first step would only lose it where these records say little
-    constexpr double first_step = 0.03;
+    constexpr double first_step = 0.03;  // numerical: of the simplex
     constexpr int evaluations = 40;
     const Kept kept = of_the_fold(found.candidate, fold, c.number);
     const FitProblem problem{rest, found.candidate, scales, levels[level]};

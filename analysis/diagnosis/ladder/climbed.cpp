@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/fit_set.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
@@ -140,7 +141,7 @@ void LadderSearch::try_rivals_in_the_last(Ladder& ladder) const
         auto& rivals = ladder.rivals[i];
         for (std::size_t k = 0; k < std::min(most, rivals.size()); ++k) {
             rivals[k].in_the_last.reset();
-            if (rivals[k].misfit < rung.misfit + out_of_question * margin_of(rung, rules_) ||
+            if (rivals[k].misfit < rung.misfit + policy::out_of_question * margin_of(rung, rules_) ||
                 makes_the_motion_of(rung.causes, rivals[k].causes))
                 rivals[k].in_the_last = climber_->misfit_in(ladder.last(), rung.causes, rivals[k]);
         }

@@ -16,8 +16,6 @@ namespace stickslip::gap {
 /// could not be a rung cannot be the cause in its place either.
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below);
 
-inline constexpr double out_of_question = 4;  // margins, at which odds are 0.02
-
 /// A number that the document states.
 struct Stated;
 

@@ -15,7 +15,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double omega = levels[ladder_level];
+constexpr double omega = levels[ladder_level];                // numerical: rad/s
 constexpr int first_steps = 3, steps = 6, steps_of_fold = 3;  // of descents
 constexpr int first_effort = 6, effort = 15;  // evaluations a parameter of searches for what the misfit is jagged in
 

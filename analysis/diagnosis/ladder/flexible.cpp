@@ -8,7 +8,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::array<double, 3> ridges{1e-5, 1e-3, 1e-1};  // of a column's own square
+constexpr std::array<double, 3> ridges{1e-5, 1e-3, 1e-1};  // numerical: of a column's own square
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;

@@ -9,7 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double width_step = 1.15;  // only within a fifth of the right one does the misfit lead to a width
+constexpr double width_step = 1.15;  // numerical: only within a fifth of the right one does the misfit lead to a width
 constexpr std::size_t go_on = 2;     // dips, deepest first
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tr
 /// Against a floor as high as the whole gap the prior weighs too much. What the first fit leaves is a lower floor,
 /// which lets the next one go further, until both agree.
 constexpr int most_rounds_of_floor = 5;
-constexpr double settled_floor = 0.02;  // of mean log square
+constexpr double settled_floor = 0.02;  // numerical: of mean log square, by which a round must lower it to go on
 
 constexpr std::size_t most_of_numbers = 2;  // parameters of a cause that two wrong numbers are no simpler than
 

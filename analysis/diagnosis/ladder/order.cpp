@@ -81,7 +81,7 @@ std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidat
     }
     parallel_(others.size(), [&](std::size_t i) {
         FittedSet& other = others[i];
-        if (other.misfit > set.misfit + out_of_question * margin_of(set, rules_)) return;
+        if (other.misfit > set.misfit + policy::out_of_question * margin_of(set, rules_)) return;
         for (const Effect* cause : set.causes.effects)
             if (std::ranges::count(below.effects, cause) + std::ranges::count(other.causes.effects, cause) == 0)
                 other.misfit = std::max(other.misfit, misfit_as_documented(other, *cause));

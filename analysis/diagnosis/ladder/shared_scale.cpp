@@ -34,7 +34,7 @@ double part_of(std::string_view number, const CorrectionPrior& prior)
     if (number == "inertia") return prior.inertia;
     if (number == "coulomb-level") return prior.coulomb;
     if (number == "viscous") return prior.viscous;
-    return number == "gravity" ? prior.gravity : 0;
+    return number == "gravity" ? prior.gravity : 0.0;
 }
 
 /// A number that is documented as less than `least` of the usual effort is stated by no document.

@@ -8,14 +8,14 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double omega = levels[ladder_level];
+constexpr double omega = levels[ladder_level];  // numerical: rad/s
 constexpr std::size_t hats_of_position = 12, hats_of_direction = 6, hats_of_velocity = 14, hats_of_time = 8;
 constexpr std::size_t waves = 2;
-constexpr double creeping = 0.02;                                      // of the usual speed: next to standing still
-constexpr std::array<double, 4> play_widths{0.003, 0.01, 0.03, 0.1};   // of the travel
-constexpr std::array<double, 4> relaxations{0.005, 0.02, 0.08, 0.32};  // s
-constexpr std::array<double, 2> lags{0.01, 0.05};                      // s
-constexpr double smoothed = 0.015;                                     // s, on each side
+constexpr double creeping = 0.02;  // numerical: of the usual speed: next to standing still
+constexpr std::array<double, 4> play_widths{0.003, 0.01, 0.03, 0.1};   // numerical: of the travel
+constexpr std::array<double, 4> relaxations{0.005, 0.02, 0.08, 0.32};  // numerical: s
+constexpr std::array<double, 2> lags{0.01, 0.05};                      // numerical: s
+constexpr double smoothed = 0.015;                                     // numerical: s, on each side
 
 /// A hat function over `count` equally spaced places of [0, 1].
 double hat(double x, std::size_t i, std::size_t count)

@@ -13,9 +13,9 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double omega = levels[ladder_level];
-constexpr std::size_t fits_at_once = 4;  // of one term, from several starts
-constexpr int steps = 2;                 // from a fit, a size is nearly linear
+constexpr double omega = levels[ladder_level];  // numerical: rad/s
+constexpr std::size_t fits_at_once = 4;         // of one term, from several starts
+constexpr int steps = 2;                        // from a fit, a size is nearly linear
 
 bool documented(const Joint& joint, std::string_view term)
 {

@@ -18,7 +18,7 @@ namespace {
 /// damping leaves them as they are, and lets the question have an answer.
 NonlinearVerdict motion_of(Joint joint)
 {
-    constexpr double trace = 1e-4;  // of √(k_p m): a six-thousandth of the swing is lost in half a turn
+    constexpr double trace = 1e-4;  // numerical: of √(k_p m): a six-thousandth of the swing is lost in half a turn
     if (growth_rate(joint) == 0) joint.control.k_v += trace * std::sqrt(joint.control.k_p * joint.mechanism.inertia);
     NonlinearOptions options;
     options.disturbance = {DisturbanceKind::start, 1e-4};
@@ -39,13 +39,12 @@ bool sticks(Outcome outcome)
            outcome == Outcome::period_n || outcome == Outcome::irregular;
 }
 
-constexpr double amplitude_spread = 0.15;  // of ln amplitude: what a repeated measurement would differ by
-
 /// Log-likelihood of one measured amplitude, less that of a perfect one.
 double amplitude_score(double predicted, double measured)
 {
     if (!(predicted > 0)) return -policy::worst_amplitude;
-    return -std::min<double>(policy::worst_amplitude, std::abs(std::log(predicted / measured)) / amplitude_spread);
+    return -std::min<double>(policy::worst_amplitude,
+                             std::abs(std::log(predicted / measured)) / policy::amplitude_spread);
 }
 
 /// Rows with a measured amplitude: every second of the first few is fitted to, the rest judge.
@@ -119,8 +118,7 @@ void confirm_by_motion(const Outcomes& o, LawFit& fit)
     const bool memory = fit.rival ? fit.rival->memory : stickslip::states(fit.law) > 0;
     for (std::size_t i = 0; i < o.size(); ++i) {
         const bool asked = o.table.rows[i].amplitude > 0 && o.table.rows[i].stick_slip;
-        constexpr double near = 0.5;  // further away small and large disturbances end alike
-        if (!asked && !(memory && std::abs(fit.distance[i]) < near)) continue;
+        if (!asked && !(memory && std::abs(fit.distance[i]) < policy::near_stick_slip)) continue;
         if (o.checkpoint) o.checkpoint();
         const Joint joint = fit.rival ? with_law(o.joints[i], fit.law) : o.joints[i];
         const auto verdict = motion_of(joint);

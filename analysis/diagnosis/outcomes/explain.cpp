@@ -18,7 +18,7 @@ NextOutcome next_of(const OutcomeAnswer& a, const LawFit& one, const LawFit& two
 {
     const auto& o = a.outcomes;
     constexpr int steps = 9;
-    constexpr double beyond = 3;
+    constexpr double beyond = 3;  // numerical: times the range that is scanned
     const std::size_t n = o.table.paths.size();
     std::vector<double> low(n, infinity), high(n, -infinity);
     for (const auto& row : o.table.rows)
@@ -27,7 +27,7 @@ NextOutcome next_of(const OutcomeAnswer& a, const LawFit& one, const LawFit& two
             high[k] = std::max(high[k], row.settings[k]);
         }
     NextOutcome next;
-    double best = 0.3;  // less is no experiment
+    double best = policy::least_apart;
     std::size_t places = 1;
     for (std::size_t k = 0; k < n; ++k) places *= low[k] < high[k] ? steps : 1;
     for (std::size_t place = 0; place < places; ++place) {
@@ -113,9 +113,9 @@ void fit_laws(OutcomeAnswer& a, const Joint& nominal, std::span<const RivalLaw> 
     double likeliest = -infinity;
     for (const auto& f : a.laws) likeliest = std::max(likeliest, f.held_out);
     parallel(rivals.size() + 1, [&](std::size_t i) {
-        constexpr double hopeless = 20;
         LawFit& fit = fit_at(i);
-        if (&fit == &a.nominal || fit.held_out > likeliest - hopeless) confirm_by_motion(a.outcomes, fit);
+        if (&fit == &a.nominal || fit.held_out > likeliest - policy::worth_following)
+            confirm_by_motion(a.outcomes, fit);
     });
     double amplitudes = 0;
     for (const auto& f : a.laws) amplitudes = std::min(amplitudes, f.amplitude_held_out);

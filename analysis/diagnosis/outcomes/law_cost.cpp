@@ -58,7 +58,7 @@ std::vector<double> standard_errors(const Outcomes& o, const RivalLaw& rival, co
         y[static_cast<std::size_t>(j)] += b;
         return cost(o, rival, rows, y);
     };
-    constexpr double h = 0.05;  // log units: wide enough to average over single rows
+    constexpr double h = 0.05;  // numerical: log units: wide enough to average over single rows
     Eigen::MatrixXd curvature(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j <= i; ++j)
@@ -66,7 +66,7 @@ std::vector<double> standard_errors(const Outcomes& o, const RivalLaw& rival, co
                 (at(i, h, j, h) - at(i, h, j, -h) - at(i, -h, j, h) + at(i, -h, j, -h)) / (4 * h * h);
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(curvature);
     Eigen::VectorXd variance = eigen.eigenvalues();
-    constexpr double flattest = 0.04;  // a standard deviation of 5 in a logarithm: not determined
+    constexpr double flattest = 0.04;  // numerical: a standard deviation of 5 in a logarithm: not determined
     for (auto& v : variance) v = 1 / std::max(v, flattest);
     const Eigen::MatrixXd covariance = eigen.eigenvectors() * variance.asDiagonal() * eigen.eigenvectors().transpose();
     const auto middle = rival.values(rival.make(o.scales, x.data()));

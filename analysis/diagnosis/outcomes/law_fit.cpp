@@ -11,9 +11,9 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double least_softness = 0.02, most_softness = 0.6;
+constexpr double least_softness = 0.02, most_softness = 0.6;  // numerical: range of a fitted number
 constexpr int folds = 5;
-constexpr double usual_rows = 40;
+constexpr double usual_rows = 40;  // numerical: a longer table has fewer evaluations a fit
 
 /// Rows in the order of their settings, dealt out in turn: every fold spans the whole table.
 std::vector<int> dealt(const Outcomes& o)

@@ -18,7 +18,7 @@ double middle(std::vector<double> values)
 
 bool same_settings(const OutcomeRow& a, const OutcomeRow& b)
 {
-    constexpr double alike = 1e-6;  // as digits of a table are
+    constexpr double alike = 1e-6;  // numerical: as digits of a table are
     for (std::size_t k = 0; k < a.settings.size(); ++k)
         if (std::abs(a.settings[k] - b.settings[k]) >
             alike * std::max(std::abs(a.settings[k]), std::abs(b.settings[k])))

@@ -57,9 +57,8 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
         const auto& n = fit.rival->numbers[k];
         c.parameters.push_back({c.names[0] + "." + std::string(n.name), fit.values[k], fit.standard_error[k],
                                 std::string(unit_of(n.quantity, Units(a.diagnosis.motion)))});
-        constexpr double at_bound = 0.02;
         const double share = (fit.x[k] - n.low) / (n.high - n.low);
-        if (share < at_bound || share > 1 - at_bound) c.plausible = false;
+        if (share < policy::beside_bound_of_law || share > 1 - policy::beside_bound_of_law) c.plausible = false;
     }
     const auto gain = [&](const std::vector<std::size_t>& rows) {
         double mine = 0, nominal = 0;
@@ -75,8 +74,6 @@ Cause cause_of(const OutcomeAnswer& a, const LawFit& fit, const LawFit* other_ki
 }
 
 namespace {
-
-constexpr double amplitude_floor = 0.15;  ///< of the logarithm of an amplitude
 
 /// RMS of the logarithms by which a law misses the amplitudes of the rows; not set where it gives none.
 double amplitude_error(const Outcomes& o, const LawFit& f)
@@ -144,15 +141,15 @@ void locate(OutcomeAnswer& a)
     const double amplitude_before = amplitude_error(o, a.nominal);
     if (amplitude_cost > 0)
         d.signals.push_back(
-            {"amplitude", amplitude_cost / both, {}, amplitude_before, amplitude_floor, "of its logarithm"});
+            {"amplitude", amplitude_cost / both, {}, amplitude_before, policy::amplitude_spread, "of its logarithm"});
     for (std::size_t k = 0; k < o.table.paths.size(); ++k) add_thirds_of(k, a, floor, d.regimes);
     const LawFit& winner = d.verdict == Verdict::gap ? a.laws.front() : a.nominal;
     const double before = a.nominal.misjudged / n, after = winner.misjudged / n;
     d.gap.push_back({"outcome", "share of rows", before, after, floor, explained(before, after, floor)});
     if (std::isfinite(amplitude_before)) {
         const double left = amplitude_error(o, winner);
-        d.gap.push_back({"amplitude", "RMS of its logarithm", amplitude_before, left, amplitude_floor,
-                         explained(amplitude_before, left, amplitude_floor)});
+        d.gap.push_back({"amplitude", "RMS of its logarithm", amplitude_before, left, policy::amplitude_spread,
+                         explained(amplitude_before, left, policy::amplitude_spread)});
     }
     d.overall = {before / floor, after / floor, 1, explained(before, after, floor), {}};
     d.overall.interval = bootstrap(o.size(), [&](const std::vector<std::size_t>& rows) {

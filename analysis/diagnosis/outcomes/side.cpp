@@ -54,7 +54,7 @@ double distance(const Joint& given, double (*measure)(const Joint&))
     const bool late = std::holds_alternative<TimeLag>(joint.friction.law);
     for (double* setting : {&joint.control.k_p, &joint.control.k_v, &joint.control.V0}) {
         if (*setting == 0 || (late && setting != &joint.control.k_p)) continue;
-        constexpr double step = 1e-3;
+        constexpr double step = 1e-3;  // numerical: of a difference
         const double was = *setting;
         *setting = was * (1 + step);
         const double slope = (measure(joint) - value) / step;
@@ -74,7 +74,7 @@ double least_velocity_after_release(const Joint& joint)
     const double breakaway = std::max(static_force(joint.friction.law), slide.at_rest);
     const double size = std::abs(slide.at_rest - steady_force(joint.friction, c.V0)) + (breakaway - slide.at_rest) +
                         mass * omega * c.V0;
-    constexpr double tolerance = 1e-5, turns = 12, settled = 1e-3;
+    constexpr double tolerance = 1e-5, turns = 12, settled = 1e-3;  // numerical: of the integration
     State s{breakaway - c.k_v * c.V0, 0};
     // an overdamped mass creeps up to V_0 and never turns
     const double longest = (turns * 6.3 + 5 * std::abs(c.k_v) / (mass * omega)) / omega;

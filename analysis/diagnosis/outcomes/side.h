@@ -5,7 +5,7 @@
 namespace stickslip::gap {
 
 /// Beyond this relative change of a setting a row counts as far from the boundary.
-inline constexpr double farthest = 3;
+inline constexpr double farthest = 3;  // numerical: five times the widest softness, where a probability is 0.99
 
 /// Least velocity, in V_0, on the first turn after a mass has broken loose under a static law, the friction below zero
 /// velocity continued as that of just above: positive if it slides on, zero if it just touches rest, negative if it

@@ -67,7 +67,7 @@ struct Sized {
     double value(double u) const
     {
         const EffectParameter& p = of();
-        constexpr double least = 1e-6;
+        constexpr double least = 1e-6;  // numerical: of the scan
         if (factor) return 1 + (p.high - 1) * std::pow(least, 1 - u);
         const double low = p.logarithmic ? p.low : least * p.high;
         return low * std::pow(p.high / low, u);

@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/plan/safe_motion.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,9 +9,8 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double within = 0.9;   // of what was seen: a closed loop overshoots
-constexpr double window = 0.04;  // s, over which a motion has a speed
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double window = 0.04;                // numerical: s, over which a motion has a speed
+constexpr double turn = 2 * std::numbers::pi;  // numerical: rad
 
 /// Writes a motion piece by piece, each from rest to rest.
 class Writer {
@@ -25,8 +26,8 @@ class Writer {
     void go(double to, double part = 1)
     {
         const double distance = std::abs(to - at_), side = to < at_ ? -1 : 1, from = at_;
-        const double a = within * reach_.acceleration;
-        const double v = std::min(part * within * reach_.speed, std::sqrt(distance * a));
+        const double a = policy::within_seen * reach_.acceleration;
+        const double v = std::min(part * policy::within_seen * reach_.speed, std::sqrt(distance * a));
         if (!(distance > 0) || !(v > 0)) return;
         const double ramp = v / a, whole = distance / v + ramp, begin = time();
         while (time() - begin < whole) {
@@ -108,11 +109,11 @@ Reach together(const Reach& one, const Reach& other)
 std::vector<SafeMotion> safe_motions(const Reach& reach, double duration, double period)
 {
     const double stroke = reach.high - reach.low, middle = 0.5 * (reach.low + reach.high);
-    const double low = middle - 0.5 * within * stroke, high = middle + 0.5 * within * stroke;
+    const double low = middle - 0.5 * policy::within_seen * stroke, high = middle + 0.5 * policy::within_seen * stroke;
     std::vector<SafeMotion> all;
     if (!(stroke > 0) || !(reach.speed > 0) || !(reach.acceleration > 0)) return all;
     const auto to_and_fro = [&](Writer& w, double part, double until) {
-        const double travel = 0.5 * part * within * reach.speed * (until - w.time());
+        const double travel = 0.5 * part * policy::within_seen * reach.speed * (until - w.time());
         const double far = std::min(high, low + std::max(travel, 0.02 * stroke));
         do w.go(far, part), w.go(low, part);
         while (w.time() < until);

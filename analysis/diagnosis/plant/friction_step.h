@@ -93,7 +93,7 @@ P logarithm_of(const P& speed, const FrictionPack<P, T>& r)
 template <class P, class T>
 P peak(const FrictionPack<P, T>& r, const P& speed)
 {
-    constexpr double tiny = 1e-300;  // whose powers vanish beside one
+    constexpr double tiny = 1e-300;  // numerical: whose powers vanish beside one
     const P u = speed / r.stribeck_velocity;
     const P power = r.has.exponent == 2   ? u * u
                     : r.has.exponent == 1 ? u

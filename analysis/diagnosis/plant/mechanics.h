@@ -65,7 +65,7 @@ class Mechanics {
     /// The effort as it is measured just after the update at this tick, before the step is taken.
     P effort_now()
     {
-        constexpr double moment = 1e-9;
+        constexpr double moment = 1e-9;  // numerical: s
         P arrived;
         for (int i = 0; i < lanes; ++i) {
             Lane& l = lane_[i];
@@ -171,7 +171,7 @@ class Mechanics {
     /// Divides ticks of these lengths into substeps.
     void divide(const P& tick)
     {
-        constexpr double rounding = 1e-9;
+        constexpr double rounding = 1e-9;  // numerical: of a clock
         most_parts_ = 0, fewest_parts_ = 1 << 30;
         for (int i = 0; i < lanes; ++i) {
             Lane& l = lane_[i];

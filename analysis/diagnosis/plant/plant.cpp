@@ -89,13 +89,13 @@ FlatFriction flatten(const Friction& f)
     return r;
 }
 
-constexpr double shortest_step = 15e-6;  // s
+constexpr double shortest_step = 15e-6;  // numerical: s
 
 /// s, in which a body that nothing but its Stribeck peak drives crosses an eighth of the peak's width; no limit where
 /// that is less than the shortest step: then the friction drops at once, as it does from a static level.
 double step_over_peak(const FlatFriction& r, double inertia)
 {
-    constexpr double share = 0.125, none = std::numeric_limits<double>::infinity();
+    constexpr double share = 0.125, none = std::numeric_limits<double>::infinity();  // numerical: of a period
     if (!(r.stribeck > 0)) return none;
     const double step = share * r.stribeck_velocity * inertia / r.stribeck;
     return step < shortest_step ? none : step;
@@ -141,9 +141,9 @@ Plant flatten(const Joint& joint)
 double longest_step(const Plant& p)
 {
     // s; exact under constant force, so that only laws which bend within a tick need the shorter one
-    constexpr double plain_step = 0.5e-3, bent_step = 0.25e-3;
+    constexpr double plain_step = 0.5e-3, bent_step = 0.25e-3;  // numerical: s
     // bristles are of second order: LuGre joints of 1e3 to 1e6 N/m are within 1e-5 of their travel
-    constexpr double bristle_step = 0.125e-3;
+    constexpr double bristle_step = 0.125e-3;  // numerical: s
     double step = p.motor.plain() && !p.dc_motor() ? plain_step : bent_step;
     if (p.motor.bristle_stiffness > 0 || p.link.bristle_stiffness > 0) step = bristle_step;
     if (p.two_mass) {

@@ -59,7 +59,7 @@ struct FreeForce {
     /// Inertia at a time per inertia of the joint.
     double inertia_factor(double t) const
     {
-        constexpr double least = 0.05;
+        constexpr double least = 0.05;  // numerical: an inertia is positive wherever a search goes
         return std::max(least, 1 + spline(of_inertia, (t - time_from) / time_width));
     }
 

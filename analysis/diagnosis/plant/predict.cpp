@@ -113,8 +113,8 @@ bool rest_is_open(const Prediction& p)
 /// misses by thousands of prediction floors.
 std::vector<Rest> rests_of(std::span<const Prediction> all)
 {
-    constexpr double moment = 0.2;  // s
-    constexpr double omega = 50;    // rad/s
+    constexpr double moment = 0.2;  // numerical: s
+    constexpr double omega = 50;    // numerical: rad/s
     constexpr Rest both[] = {Rest::pressed, Rest::level};
     std::vector<Rest> rests(all.size(), Rest::pressed);
     std::vector<std::size_t> open;

@@ -6,7 +6,7 @@ namespace stickslip::gap {
 namespace {
 
 /// m/s: far below what an encoder resolves, and below the least speed of a step that leaves rest.
-constexpr double gone_at_once = 1e-12;
+constexpr double gone_at_once = 1e-12;  // numerical: a limit of a law
 
 std::optional<Friction> written_out(Friction f, const LuGre& law)
 {

@@ -171,7 +171,7 @@ void respond(double omega, double step, Take&& take, double reading = 1, double 
 {
     const double T = std::min(step, 0.5 / std::max(omega, 1e-9));
     const double g = 1.6 * omega * T, k = omega * omega * T;
-    constexpr double settled = 1e-9;  // of the step that is answered
+    constexpr double settled = 1e-9;  // numerical: of the step that is answered
     double q = 0, v = -kick;
     for (int i = 0; i < 100000; ++i) {
         const double e = (i == 0 ? reading : 0) - q;

@@ -16,7 +16,7 @@ enum class Course { smooth, straight, left, right };
 Course course_of(const std::vector<double>& x, std::size_t k, double s)
 {
     if (k < 2 || k + 3 >= x.size()) return Course::smooth;
-    constexpr double little = 0.1;  // of the bend; in a smooth curve neighbouring bends are alike
+    constexpr double little = 0.1;  // numerical: of the bend; in a smooth curve neighbouring bends are alike
     const double before = x[k - 1] - x[k - 2], left = x[k] - x[k - 1], here = x[k + 1] - x[k],
                  right = x[k + 2] - x[k + 1], after = x[k + 3] - x[k + 2];
     const double bend = right - left;

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/records/even_clock.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/ticks.h"
 
 #include <algorithm>
@@ -8,12 +9,9 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t least_rows = 100;   // fewer do not tell scatter from wandering
-constexpr double near = 0.05;             // of a row: how far the median step may be from a multiple of the period
-constexpr double already_even = 1e-4;     // of a row, RMS
-constexpr double unquestioned = 0.1;      // of a row, RMS: more is held against the readings
-constexpr double farthest = 0.45;         // of a row: half a row away is the next one
-constexpr double least_independence = 1;  // von Neumann's ratio: 2 where rows scatter on their own, 0 where they wander
+constexpr std::size_t least_rows = 100;  // fewer do not tell scatter from wandering
+constexpr double already_even = 1e-4;    // numerical: of a row, RMS: digits of a log
+constexpr double farthest = 0.45;        // numerical: of a row: half a row away is the next one
 
 /// Mean square by which readings are off the cubic through their two neighbours on either side.
 double roughness(const std::vector<double>& time, const std::vector<double>& readings)
@@ -40,7 +38,7 @@ std::optional<std::vector<double>> even_times(const std::vector<double>& stamps,
 {
     if (stamps.size() < least_rows || !(period > 0)) return std::nullopt;
     const double step = median_step(stamps), row = std::max(1.0, std::round(step / period)) * period;
-    if (std::abs(step - row) > near * row) return std::nullopt;
+    if (std::abs(step - row) > policy::whole_row * row) return std::nullopt;
     std::vector<double> off;
     for (const double t : stamps) {
         const double rows = (t - stamps[0]) / row;
@@ -60,8 +58,9 @@ std::optional<std::vector<double>> even_times(const std::vector<double>& stamps,
         even.push_back(time);
     }
     const double rms = std::sqrt(squares / static_cast<double>(stamps.size()));
-    if (rms < already_even || differences < least_independence * squares) return std::nullopt;
-    if (rms > unquestioned && !(roughness(even, readings) < roughness(stamps, readings))) return std::nullopt;
+    if (rms < already_even || differences < policy::scattered_stamps * squares) return std::nullopt;
+    if (rms > policy::jitter_unquestioned && !(roughness(even, readings) < roughness(stamps, readings)))
+        return std::nullopt;
     return even;
 }
 

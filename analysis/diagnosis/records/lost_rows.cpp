@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/records/lost_rows.h"
 
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/records/between_rows.h"
 #include "analysis/diagnosis/records/ticks.h"
 
@@ -12,7 +13,8 @@ std::vector<std::size_t> strides(const std::vector<double>& time, double step)
     std::vector<std::size_t> of;
     for (std::size_t k = 1; k < time.size(); ++k) {
         const double rows = (time[k] - time[k - 1]) / step;
-        if (rows > most_lost_rows || std::abs(rows - std::round(rows)) > whole_ticks || std::round(rows) < 1) return {};
+        if (rows > policy::most_lost_rows || std::abs(rows - std::round(rows)) > whole_ticks || std::round(rows) < 1)
+            return {};
         of.push_back(static_cast<std::size_t>(std::round(rows)));
     }
     return of;

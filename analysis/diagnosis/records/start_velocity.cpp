@@ -10,9 +10,9 @@ namespace {
 
 constexpr Eigen::Index coefficients = 4;  // of a cubic
 constexpr std::size_t fewest_rows = 8, most_rows = 256;
-constexpr double next_window = 1.4;
-constexpr double of_a_grid = 0.25;  // numerical: share of readings that repeat the one before
-constexpr double agreed = 3;        // standard errors of the shorter window: from there on the longer one is bent
+constexpr double next_window = 1.4;  // numerical: of the scan
+constexpr double of_a_grid = 0.25;   // numerical: share of readings that repeat the one before
+constexpr double agreed = 3;  // numerical: standard errors of the shorter window: from there on the longer one is bent
 /// Windows below the longest that agrees. Of it the bend is some standard errors, unseen; of half of it an eighth, and
 /// the noise three times as much.
 constexpr std::size_t windows_back = 2;
@@ -46,7 +46,7 @@ double noise_of(const Rows& rows)
             ++repeated;
     const auto middle = third.begin() + static_cast<std::ptrdiff_t>(third.size() / 2);
     std::nth_element(third.begin(), middle, third.end());
-    constexpr double median_of_normal = 0.6745;
+    constexpr double median_of_normal = 0.6745;  // numerical: of the normal distribution
     const double noise = *middle / (median_of_normal * std::sqrt(20.0));
     const bool on_grid = static_cast<double>(repeated) > of_a_grid * static_cast<double>(q.size()) && grid < infinity;
     return std::max(noise, on_grid ? grid / std::sqrt(12.0) : 0);

@@ -112,7 +112,7 @@ void reserve_ticks(Ticks& t, std::size_t n, double step, double supply)
 
 /// Rows at their ticks, and between them what is known of motion, reference and supply. `logged` has an entry a row.
 /// Between 0 and 1, which a log writes for off and on.
-constexpr double on = 0.5;
+constexpr double on = 0.5;  // numerical: between the two values of a switch
 
 void fill_from_rows(const Record& r, const std::vector<double>& commanded, const std::vector<std::uint8_t>& logged,
                     Ticks& t)

@@ -68,7 +68,6 @@ struct Ticks {
 inline constexpr double most_ticks_per_row = 100;  ///< numerical: 10 Hz of a loop at 1 kHz; slower logs see no friction
 inline constexpr double slower_log = 1.5;          ///< numerical: ticks a row from which on rows are not ticks
 inline constexpr double whole_ticks = 0.02;        ///< numerical: distance to a whole number of ticks: clocks jitter
-inline constexpr double most_lost_rows = 20;       ///< in a row; more are a hole
 
 double median_step(const std::vector<double>& time);
 

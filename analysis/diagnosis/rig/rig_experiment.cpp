@@ -18,9 +18,9 @@ const std::vector<Motion> motions{
     {TestMotion::rig_hold, {1, 0, 1}},
 };
 
-constexpr double hold = 100;            // s
+constexpr double hold = 100;            // numerical: s, of the proposed motion
 constexpr std::size_t rows = 1200;      // of each part
-constexpr double part_of_travel = 0.3;  // of the record's travel, at every speed
+constexpr double part_of_travel = 0.3;  // numerical: of the record's travel, at every speed
 
 Rig along(const Rig& rig, const Motion& motion)
 {

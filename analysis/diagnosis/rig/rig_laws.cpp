@@ -23,8 +23,6 @@ std::pair<std::size_t, std::size_t> around(const std::vector<double>& time, std:
     return {a, b};
 }
 
-constexpr double longest_memory = 0.5;  // of the travel, or of the time
-
 bool has_memory(RigLaw law)
 {
     return law == RigLaw::slip || law == RigLaw::ageing || law == RigLaw::time;
@@ -60,7 +58,7 @@ namespace {
 /// Without a direct effect the slider follows the load point: force = law at the load point's speed.
 std::vector<double> following_force(const Rig& rig, const RigRun& run, RigLaw law, const RigNumbers& p)
 {
-    constexpr double least = 1e-6;  // of V*
+    constexpr double least = 1e-6;  // numerical: of V*
     std::vector<double> force(run.time.size(), 0);
     const double load = rig.runs.front().normal.empty() ? 0 : rig.runs.front().normal.front();
     for (std::size_t k = 0; k < force.size(); ++k) {
@@ -98,7 +96,7 @@ std::vector<double> remembering_force(const Rig& rig, const RigRun& run, RigLaw 
         const double rate = (std::abs(run.displacement[k + 1]) - x0) / h;
         double d1, t1, d2, t2;
         rate_of(x0, slip, theta, d1, t1);
-        constexpr double steps_per_time_constant = 4;
+        constexpr double steps_per_time_constant = 4;  // numerical: of the integration
         constexpr int most = 60;
         const double fastest = std::max(d1, rate) * (stiffness / A + (law == RigLaw::time ? 0 : 1 / length));
         const int parts = std::clamp(static_cast<int>(std::ceil(steps_per_time_constant * fastest * h)), 1, most);
@@ -184,11 +182,11 @@ RigFit search(const Rig& rig, const RigRival& rival, int fold, std::vector<doubl
         fit.square = rig_square(rig, rig_force(rig, rival.law, fit.p), fold, false);
         return fit;
     }
-    constexpr double widest = 12;
+    constexpr double widest = 12;  // numerical: logarithms of the search
     const auto all = [&](double value) { return std::vector<double>(from.size(), value); };
     auto most = all(widest);
     // a memory longer than a part of the travel would never have been seen to fade
-    if (has_memory(rival.law)) most[3] = std::log(longest_memory);
+    if (has_memory(rival.law)) most[3] = std::log(policy::longest_memory_of_rig);
     Minimisation simplex{SearchMethod::simplex, {all(-widest), most}, all(0.4), evaluations};
     simplex.ftol_abs = 1e-5;
     const auto objective = [&](const std::vector<double>& x) {

@@ -1,4 +1,5 @@
 // From a rig's records to runs in one direction each.
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/rig/rig_laws.h"
 
 #include "analysis/joint/joint.h"
@@ -19,8 +20,7 @@ using Stretch = std::pair<std::size_t, std::size_t>;
 std::vector<Stretch> stretches(const std::vector<double>& x)
 {
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
-    constexpr double back = 0.01;  // of the travel, that is more than noise
-    const double turned = back * (*high - *low);
+    const auto turned = policy::turned_of_rig * (*high - *low);
     std::vector<Stretch> all;
     std::size_t from = 0, extreme = 0;
     double side = 0;
@@ -80,14 +80,13 @@ std::vector<Stretch> worth_judging(const Record& r, const std::vector<double>& x
 /// Whether the normal load tells two runs from each other.
 bool loads_differ(const std::vector<RigRun>& runs)
 {
-    constexpr double differs = 0.01;
     double low = std::abs(runs.front().normal.empty() ? 0 : median(runs.front().normal)), high = low;
     for (const auto& run : runs) {
         if (run.normal.empty()) return false;
         const double load = std::abs(median(run.normal));
         low = std::min(low, load), high = std::max(high, load);
     }
-    return high - low > differs * high;
+    return high - low > policy::loads_of_rig_differ * high;
 }
 
 }  // namespace

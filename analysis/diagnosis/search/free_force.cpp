@@ -262,7 +262,7 @@ bool clearly_better(const FreeFit& free, const Attribution& cause)
 bool clearly_better(const FreeFit& free, double left)
 {
     return mean_log_misfit(free.fit.evaluation) <
-           left - std::max({policy::least_of_free_force, policy::better_than_cause * left, free.by_load_error});
+           left - std::max(std::max(policy::least_of_free_force, policy::better_than_cause * left), free.by_load_error);
 }
 
 }  // namespace stickslip::gap

@@ -9,7 +9,7 @@ namespace stickslip::gap {
 
 double cost_of(const Candidate& candidate)
 {
-    constexpr double cost_of_two_masses = 10, cost_of_teeth = 3;
+    constexpr double cost_of_two_masses = 10, cost_of_teeth = 3;  // numerical: of work, for groups alike in time
     const double numbers = static_cast<double>(candidate.parameter_count() + 1);
     return numbers * (two_mass_edit(candidate) ? cost_of_two_masses : 1) * (jagged(candidate) ? cost_of_teeth : 1);
 }

@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
@@ -245,7 +246,7 @@ std::vector<Attribution> PairSearch::run()
     }
     if (!divided.empty() && (pairs_.empty() || !pairs_[0].accepted)) {
         screen(divided, divided_finalists);
-        if (pairs_[0].score > clear_score) polish_best(fit_, pairs_, polished_pairs);
+        if (pairs_[0].score > policy::clear_score) polish_best(fit_, pairs_, polished_pairs);
     }
     // of every pair its best form: the others are no rivals
     std::vector<Attribution> best;

@@ -1,5 +1,6 @@
 // Candidates carried through all levels.
 #include "analysis/diagnosis/fit/excerpt.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
@@ -62,14 +63,13 @@ Fitting<Attribution> refining(const Fit& context, const std::vector<Case>& part,
     const AtEachOther there = co_await looking_at_each_other(context, a);
     for (std::size_t l = 0; l < levels.size(); ++l) a.evaluation[l] = there[l][l];
     // a level may have come to rest in a hollow that the others found the way out of
-    constexpr double clearly = 0.8;
     std::array<std::size_t, levels.size()> numbers{0, 1, 2};  // whose each level has
     for (std::size_t l = 0; l < levels.size(); ++l)
         for (std::size_t from = 0; from < levels.size(); ++from) {
             if (a.x[from] == a.x[l]) continue;
             const Evaluation& other = there[numbers[from]][l];
             ++a.evaluations;
-            if (!(other.objective < clearly * a.evaluation[l].objective)) continue;
+            if (!(other.objective < policy::out_of_the_hollow * a.evaluation[l].objective)) continue;
             a.x[l] = a.x[from], numbers[l] = numbers[from];
             a.evaluation[l] = other;
         }
@@ -82,7 +82,6 @@ Fitting<Attribution> refining(const Fit& context, const std::vector<Case>& part,
 void refine_best(const Fit& fit, std::vector<Attribution>& ranked, std::size_t most)
 {
     constexpr std::size_t few = 3;
-    constexpr double behind = 0.25;  // of score; rivals matter within a tenth of that
     const auto part = excerpts(fit.cases, levels[1], refine_ticks, 1);
     const auto some = [&](std::size_t from, std::size_t to) {
         std::vector<Attribution*> open;
@@ -104,7 +103,8 @@ void refine_best(const Fit& fit, std::vector<Attribution>& ranked, std::size_t m
     };
     most = std::min(most, ranked.size());
     some(0, std::min(few, most));
-    while (most > few && !ranked.empty() && ranked[0].accepted && ranked[most - 1].score > ranked[0].score + behind)
+    while (most > few && !ranked.empty() && ranked[0].accepted &&
+           ranked[most - 1].score > ranked[0].score + policy::far_behind)
         --most;
     some(0, most);
 }

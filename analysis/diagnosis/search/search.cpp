@@ -9,7 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double slower_level = levels[1];
+constexpr double slower_level = levels[1];  // numerical: rad/s
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Fitting<LevelFit> improving(FitProblem problem, Eigen::VectorXd x, int effort, i
         smooth.push_back(!rough.back());
     }
     const auto searched = static_cast<int>(std::count(rough.begin(), rough.end(), 1));
-    constexpr double first_step = 0.3, near = 0.1 * first_step;
+    constexpr double first_step = 0.3, near = 0.1 * first_step;  // numerical: of the simplex
     constexpr int turns = 2;
     const int part = effort * searched / turns;
     // a simplex over all of them would get lost, and a descent in the teeth: together they lead along narrow valleys
@@ -103,7 +103,7 @@ Asked asked_at(const FitProblem& problem, const std::vector<Eigen::VectorXd>& at
 /// backlash or limit is longer where a prediction has to hold for longer.
 Fitting<LevelFit> searching_slower_first(FitProblem problem, std::vector<Eigen::VectorXd> from, int effort)
 {
-    constexpr double first_step = 0.3, near = 0.03;
+    constexpr double first_step = 0.3, near = 0.03;  // numerical: of the simplex
     const FitProblem slower = problem.with_bandwidth(slower_level);
     const std::size_t start = co_await nearest_start(slower, from);
     const int count = effort * static_cast<int>(problem.candidate.parameter_count());
@@ -195,12 +195,12 @@ Attribution as_screened(const Fit& fit, const Candidate& candidate, const LevelF
 void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size_t most)
 {
     constexpr int long_search = 40, short_search = 20;  // evaluations a parameter
-    constexpr double wide = 0.3, narrow = 0.05;         // first steps
-    constexpr double promising = 0.5;                   // of the excess misfit explained
+    constexpr double wide = 0.3, narrow = 0.05;         // numerical: first steps
     const auto part = excerpts(context.cases, levels[1], refine_ticks, 1);
     std::vector<Attribution*> some;
     for (auto& a : ranked)
-        if (some.size() < most && a.refined && jagged(a.candidate) && a.explained > promising) some.push_back(&a);
+        if (some.size() < most && a.refined && jagged(a.candidate) && a.explained > policy::worth_a_long_search)
+            some.push_back(&a);
     const auto search = [&](Attribution& a, std::size_t l, const Eigen::VectorXd& from, int effort, double step) {
         const auto fit = search_rough({part, a.candidate, context.scales, levels[l]}, from,
                                       effort * static_cast<int>(a.candidate.parameter_count()), step);
@@ -211,8 +211,7 @@ void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size
     context.parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
     double least = infinity;
     for (auto* a : some) judge(*a, context.nominal), least = std::min(least, a->evaluation[0].objective);
-    constexpr double behind = 1.15;
-    std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > behind * least; });
+    std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > policy::near_the_best * least; });
     context.parallel(some.size(), [&](std::size_t i) {
         Attribution& a = *some[i];
         for (std::size_t l = 1; l < levels.size(); ++l) search(a, l, a.x[l - 1], short_search, narrow);

@@ -8,10 +8,9 @@
 namespace stickslip::gap {
 
 inline constexpr std::size_t brief_ticks = 24000;  ///< of all records together, for a first look
-inline constexpr double coarse = 2;                ///< and time steps longer by this
+inline constexpr double coarse = 2;                ///< numerical: and time steps longer by this
 inline constexpr int full_effort = 25;             ///< evaluations a parameter where the misfit is jagged
 inline constexpr int iterations = 12;
-inline constexpr double clear_score = 0.04;  ///< so little is left that no better numbers are needed
 
 bool jagged(const Candidate& candidate);
 /// Whether it divides the mass, or edits what lies between two.

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"
+#include "analysis/diagnosis/policy/policy.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ std::vector<Attribution> fit_singles(const Fit& fit, const std::vector<Candidate
     });
     if (!divided.empty()) screen(divided);
     if (!moved.empty() && !(best.size() > 0 && best[0].accepted)) screen(moved);
-    if (!best.empty() && jagged(best[0].candidate) && best[0].score > clear_score) polish_best(fit, best, 1);
+    if (!best.empty() && jagged(best[0].candidate) && best[0].score > policy::clear_score) polish_best(fit, best, 1);
     return best;
 }
 

@@ -53,7 +53,7 @@ std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
     for (const auto& rival : j.ladder.rivals[i]) {
         const bool same = makes_the_motion_of(rung.causes, rival.causes);
         // what makes the very motion is not worse by the numbers that it has more
-        const double needless = same ? policy::price_of_parameter * parameters_more(rival.causes, rung.causes) : 0;
+        const double needless = same ? policy::price_of_parameter * parameters_more(rival.causes, rung.causes) : 0.0;
         // another rung of this ladder is no rival
         if ((settled && !(same && rival.in_the_last)) || std::ranges::all_of(rival.causes.effects, in_the_set) ||
             std::ranges::any_of(rival.causes.effects, is_dropped))

@@ -101,7 +101,7 @@ void confirm(const Fit& fit, std::vector<Attribution>& ranked)
             a.accepted = false;
             continue;
         }
-        if (!a.refined || (a.accepted && a.score < clear_score)) continue;
+        if (!a.refined || (a.accepted && a.score < policy::clear_score)) continue;
         const auto si = in_si(a.candidate, a.x[1], scales);
         if (two_free_shapes(a)) {
             a.accepted = !bends_only(a.candidate, a.x[1], scales) &&

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/experiment.h"
 
 #include "analysis/diagnosis/plan/safe_motion.h"
+#include "analysis/diagnosis/policy/policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,10 @@ Reach shown_by(const Case& c)
 bool survives(const Trace& run, const std::vector<double>& time, const Reach& reach)
 {
     const Reach done = reach_of(time, run.true_position);
-    constexpr double more = 1.1, beyond = 0.05;  // of the stroke
-    constexpr double sharp = 2;                  // breaking away is sharper than what a record's noise lets be seen
-    const double margin = beyond * (reach.high - reach.low);
-    return done.low >= reach.low - margin && done.high <= reach.high + margin && done.speed <= more * reach.speed &&
-           done.acceleration <= sharp * more * reach.acceleration;
+    const double margin = policy::beyond_stroke * (reach.high - reach.low);
+    return done.low >= reach.low - margin && done.high <= reach.high + margin &&
+           done.speed <= policy::beyond_speed * reach.speed &&
+           done.acceleration <= policy::beyond_acceleration * reach.acceleration;
 }
 
 }  // namespace

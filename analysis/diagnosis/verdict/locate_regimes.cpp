@@ -12,7 +12,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double omega = 50;  // rad/s, at which the motion is predicted
+constexpr double omega = 50;  // numerical: rad/s, at which the motion is predicted
 
 enum Regime : std::size_t {
     stuck,
@@ -53,7 +53,7 @@ constexpr std::array<const char*, regimes> names{"stuck",
                                                  "warm"};
 constexpr std::size_t exclusive = 3;  // stuck, low speed and sliding are the whole
 
-constexpr std::array<double, 2> corners{1, 5};  // Hz
+const std::array<double, 2> corners{policy::end_of_low_band, policy::end_of_middle_band};  // Hz
 constexpr std::array<const char*, corners.size() + 1> bands{"below 1 Hz", "1 to 5 Hz", "above 5 Hz"};
 
 struct Range {
@@ -121,13 +121,12 @@ struct Surroundings {
 
 Surroundings surroundings_of(const std::vector<Case>& cases)
 {
-    constexpr double felt = 1;  // °C: less says nothing of temperature
     Surroundings s;
     for (const auto& c : cases) {
         for (double q : c.ticks.position) s.travel.take(q);
         for (double x : c.temperature) s.heat.take(x);
     }
-    s.heated = s.heat.high - s.heat.low > felt;
+    s.heated = s.heat.high - s.heat.low > policy::felt_warming;
     return s;
 }
 
@@ -160,12 +159,11 @@ struct Predicted {
     /// The regimes of tick k, which comes so long after the last reversal [s].
     std::array<bool, regimes> regimes_at(std::size_t k, double since_reversal) const
     {
-        constexpr double after_reversal = 0.1;  // s
         const Ticks& t = c.ticks;
         const double v = innovation.velocity[k], speed = std::abs(v);
         std::array<bool, regimes> in{};
         in[speed < policy::standing * fast ? stuck : speed < policy::slow * fast ? low_speed : sliding] = true;
-        in[reversal] = since_reversal < after_reversal;
+        in[reversal] = since_reversal < policy::after_reversal;
         in[positive] = moves(k) && v > 0, in[negative] = moves(k) && v < 0;
         in[high_acceleration] = accelerations[k] > hard;
         in[saturated] = std::abs(command[k]) >= policy::below_limit * limit;

@@ -9,12 +9,12 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr double omega = 50;  // rad/s, at which the residual force is read
+constexpr double omega = 50;  // numerical: rad/s, at which the residual force is read
 
 /// What a controller had filtered before the first row was not logged; it forgets.
 double forgets_at(const Control& control, const Ticks& t)
 {
-    constexpr double memories = 15;  // e⁻¹⁵ of it is left
+    constexpr double memories = 15;  // numerical: e⁻¹⁵ of it is left
     if (t.at_rest || t.size() == 0) return -infinity;
     return t.time[0] + memories * (control.velocity_estimate.tau + t.step[0]);
 }

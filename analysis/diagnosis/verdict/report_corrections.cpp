@@ -92,8 +92,7 @@ namespace {
 std::vector<std::vector<std::string>> fewer_numbers(const Prepared& p, const JudgedLadder& j,
                                                     const std::vector<std::string>& named)
 {
-    constexpr double hardly_held = 100;    // numerical: of a prior's width; what stands along it is open
-    constexpr double two_sided_95 = 1.96;  // standard deviations
+    constexpr double hardly_held = 100;  // numerical: of a prior's width; what stands along it is open
     Attribution free = j.winner;
     for (double& sd : free.candidate.prior_sd) sd *= hardly_held;
     const Candidate& c = free.candidate;
@@ -105,7 +104,7 @@ std::vector<std::vector<std::string>> fewer_numbers(const Prepared& p, const Jud
         const auto name = std::ranges::find(named, c.effects[n]->name);
         const bool one = c.forms[n]->own == 0 && count == 1 && covariance.rows() > at;
         if (named.size() > 1 && name != named.end() && one &&
-            std::abs(j.winner.x[ladder_level][at]) < two_sided_95 * std::sqrt(covariance(at, at))) {
+            std::abs(j.winner.x[ladder_level][at]) < policy::two_sided_95 * std::sqrt(covariance(at, at))) {
             sets.push_back(named);
             sets.back().erase(sets.back().begin() + (name - named.begin()));
         }

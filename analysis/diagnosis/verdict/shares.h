@@ -6,7 +6,7 @@
 
 namespace stickslip::gap {
 
-inline constexpr double block_seconds = 1;  ///< resampled as a whole, since neighbours are correlated
+inline constexpr double block_seconds = 1;  ///< numerical: resampled as a whole, since neighbours are correlated
 
 /// Sums of one block: excess square of each stage or regime.
 using Block = std::vector<double>;

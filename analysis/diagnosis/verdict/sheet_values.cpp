@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/verdict/sheet_values.h"
 
+#include "analysis/diagnosis/policy/policy.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,8 +75,7 @@ double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& ca
 std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, const Quality& quality,
                                      std::size_t corrections)
 {
-    constexpr double two_sided = 1.96;  // standard errors of a 95 % interval
-    constexpr double small = 1e-4;      // of the unit in which a parameter is fitted
+    constexpr double small = 1e-4;  // numerical: of the unit in which a parameter is fitted
     const Candidate& c = a.candidate;
     const Eigen::VectorXd& x = a.x[ladder_level];
     std::vector<SheetValue> values;
@@ -106,7 +107,7 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
                     variance += slope[k] * quality.covariance(k, l) * slope[l];
                 }
             if (!unknown) {
-                const double error = two_sided * std::sqrt(std::max(0.0, variance));
+                const double error = policy::two_sided_95 * std::sqrt(std::max(0.0, variance));
                 v.interval = {v.value - error, v.value + error};
                 v.pinned = error < std::abs(v.value);
             }

@@ -162,7 +162,7 @@ class SetPointSearch {
         return std::any_of(corners_.begin(), corners_.end(), [&](const Friction& f) {
             Joint j = joint;
             j.friction = f;
-            const auto s = set_point(j);
+            const auto s = set_point(j, quick_set_point);
             return s.hunting != Hunting::no || s.diverges();
         });
     }
@@ -236,7 +236,7 @@ class SetPointSearch {
         for (const auto& f : corners_) {
             Joint j = plain(k_i_);
             j.friction = f;
-            const auto s = set_point(j);
+            const auto s = set_point(j, quick_set_point);
             natural = std::max(natural, is_set(s.amplitude) ? s.amplitude : 0);
         }
         SetPointChoice c;

@@ -26,7 +26,7 @@ enum class SetPointReason : std::uint8_t {
     driven_by_velocity,    ///< hunts: a compensation that follows the velocity gives more than friction takes
     not_driven,            ///< rests: it gives less, and each slip ends nearer to the set point
     dither_narrows,        ///< rests: a dither below the kinetic friction leaves less of the static one to hold it
-    loop_unstable,         ///< while it moves, the loop as it is is unstable: it does not hunt, it diverges
+    loop_unstable,         ///< while it moves, the loop as it is is unstable: from far enough away it diverges
     load_beyond_limits,    ///< the load exceeds what the limits leave by more than static friction: it falls away
     driven_cycle,          ///< hunts: the loop as it is keeps the joint moving
     force_control,         ///< the following are not judged
@@ -84,6 +84,22 @@ constexpr std::string_view name_of(SetPointMethod method)
     return names[static_cast<int>(method)];
 }
 
+/// What a slip from a distance from the set point, and those after it, end in.
+enum class StartEnd : std::uint8_t { rests, hunts, diverges, undecided };
+
+/// As JSON calls it.
+constexpr std::string_view name_of(StartEnd end)
+{
+    constexpr std::string_view names[] = {"rests", "hunts", "diverges", "undecided"};
+    return names[static_cast<int>(end)];
+}
+
+/// Neighbouring starts with one end, from the nearest to the furthest that was followed.
+struct StartRange {
+    double from = missing, to = missing;
+    StartEnd end = StartEnd::undecided;
+};
+
 struct SetPoint {
     Hunting hunting = Hunting::undecided;
     SetPointReason reason = SetPointReason::none;
@@ -101,9 +117,24 @@ struct SetPoint {
     double compensation = missing;   ///< level of what was added against friction, in effort; missing: nothing
     bool asymmetric = false;         ///< hunts, but with stops at unequal distances: `amplitude` is the largest
     bool rests_nearby = false;       ///< hunts from further away, rests from nearby
+    std::vector<StartRange>
+        by_start;  ///< outwards, where starts were followed to their ends; between them it may differ
     std::vector<std::string> not_used;  ///< keys of the joint that this answer leaves out
 
-    /// Leaves the set point instead of resting or hunting about it.
+    /// Up to where every start comes to rest; missing: not from nearby, or not followed.
+    double rests_within() const
+    {
+        return !by_start.empty() && by_start.front().end == StartEnd::rests ? by_start.front().to : missing;
+    }
+    /// The nearest start that was seen to diverge.
+    double diverges_from() const
+    {
+        for (const auto& range : by_start)
+            if (range.end == StartEnd::diverges) return range.from;
+        return missing;
+    }
+
+    /// Leaves the set point, at least from far enough away, instead of resting or hunting about it.
     bool diverges() const
     {
         return reason == SetPointReason::loop_unstable || reason == SetPointReason::load_beyond_limits;

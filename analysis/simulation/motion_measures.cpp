@@ -87,4 +87,11 @@ MotionMeasures measure_motion(Rows time, Rows reference, Rows position)
     return m;
 }
 
+MotionMeasures per_reading(MotionMeasures m, double scale)
+{
+    m.travel /= scale, m.final_error /= scale;
+    m.overshoot /= std::abs(scale), m.stair_height /= std::abs(scale);
+    return m;
+}
+
 }  // namespace stickslip

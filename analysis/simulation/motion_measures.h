@@ -26,4 +26,7 @@ inline constexpr double stop_share = 0.1, go_share = 0.5;
 MotionMeasures measure_motion(std::span<const double> time, std::span<const double> reference,
                               std::span<const double> position);
 
+/// Of a motion in what an encoder reads, `scale` per displacement: the lengths as displacements of the joint.
+MotionMeasures per_reading(MotionMeasures measures, double scale);
+
 }  // namespace stickslip

@@ -91,8 +91,10 @@ std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double vel
     return std::nullopt;
 }
 
+/// Without a velocity there is no effort of steady sliding, and no limit is to blame.
 std::optional<LowLimit> below(const Joint& joint, double effort, double velocity)
 {
+    if (!is_set(effort) || !is_set(velocity)) return std::nullopt;
     return joint.actuator.kind == ActuatorKind::effort ? of_an_effort(joint, std::abs(effort))
                                                        : of_a_motor(joint, effort, velocity);
 }

@@ -84,4 +84,10 @@ SteadySliding steady_sliding(const Joint& joint)
     return s;
 }
 
+double displaced(const Joint& joint, const SteadySliding& sliding)
+{
+    const double per = joint.control.kind == ControlKind::position ? joint.sensor.position_scale : 1;
+    return std::abs(sliding.deflection / per);
+}
+
 }  // namespace stickslip

@@ -9,4 +9,7 @@ namespace stickslip {
 /// deflection of the loop that carries it, or the reason why the joint cannot slide steadily there.
 SteadySliding steady_sliding(const Joint& joint);
 
+/// Size of that deflection as a displacement of the joint: a position loop counts it in what its encoder reads.
+double displaced(const Joint& joint, const SteadySliding& sliding);
+
 }  // namespace stickslip

@@ -15,7 +15,7 @@ constexpr int nodes_in_closed_form = 81, nodes_followed = 25, nodes_simulated = 
 HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFor& parallel)
 {
     HuntingField field;
-    const auto method = set_point(design).method;
+    const auto method = set_point(design, quick_set_point).method;
     const bool followed = method == SetPointMethod::event_driven || method == SetPointMethod::presliding;
     const int nodes = method == SetPointMethod::simulated ? nodes_simulated
                       : followed                          ? nodes_followed
@@ -28,7 +28,7 @@ HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFo
         double &u = number_at(joint, x.path), &v = number_at(joint, y.path);
         for (std::size_t i = 0; i < x.values.size(); ++i) {
             u = x.values[i], v = y.values[j];
-            field.places[j * x.values.size() + i] = set_point(joint);
+            field.places[j * x.values.size() + i] = set_point(joint, quick_set_point);
         }
     });
     field.design = place_over(design, x, y);

@@ -101,7 +101,7 @@ std::optional<IdleAxis> idle_at_rest(const Joint& joint, const Axis& axis)
     for (const double value : tried(axis)) {
         const Joint there = moved(joint, axis.path, value);
         if (!obeys_rules(there)) continue;
-        const auto now = set_point(there);
+        const auto now = set_point(there, quick_set_point);
         for (const auto& key : now.not_used) found.matters |= names(key, axis.path);
         if (!first) first = now;
         if (now.hunting != first->hunting || now.reason != first->reason || !same(now.amplitude, first->amplitude) ||

@@ -56,11 +56,11 @@ std::optional<SetPoint> behind(const Joint& design, const Meeting& m)
     Joint joint = design;
     double& number = number_at(joint, m.axis.path);
     const double range = drawn(m.axis, m.axis.values.back()) - drawn(m.axis, m.axis.values.front());
-    const bool design_hunts = hunts(set_point(design));
+    const bool design_hunts = hunts(set_point(design, quick_set_point));
     for (const double step : steps_behind) {
         number = undrawn(m.axis, drawn(m.axis, m.at) + std::copysign(step * range, m.at - m.own));
-        const auto there = set_point(joint);
-        if (there.hunting != Hunting::undecided && hunts(there) != design_hunts) return there;
+        const auto there = set_point(joint, quick_set_point);
+        if (there.hunting != Hunting::undecided && hunts(there) != design_hunts) return set_point(joint);
     }
     return {};
 }

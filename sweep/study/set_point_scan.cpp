@@ -32,7 +32,7 @@ Joint pushed(Joint joint, const SetPointRequirements& asked, double k_i, double 
 
 double stops_at(const Joint& joint)
 {
-    const auto s = set_point(joint, {starts_per_decade});
+    const auto s = set_point(joint, {starts_per_decade, false});
     if (s.hunting == Hunting::undecided) return missing;
     return s.hunting == Hunting::yes ? s.amplitude : s.rest_error;
 }

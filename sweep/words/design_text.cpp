@@ -4,6 +4,7 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/low_limit_text.h"
 #include "sweep/words/nearest_text.h"
+#include "sweep/words/reason_text.h"
 
 #include <cmath>
 
@@ -123,6 +124,7 @@ std::string design_verdict_text(const DesignAnswer& a)
 {
     const DesignUnits u{units_of(a.joint)};
     const auto& d = a.design;
+    if (!d.decided && !is_set(sliding_velocity(a.joint))) return "No design: " + reason_text(Reason::no_velocity) + ".";
     if (!d.decided)
         return low_limit(a.joint, sliding_velocity(a.joint)) ? "No design. " + low_limit_text(a.joint)
                                                              : "No design: the joint has no steady sliding.";

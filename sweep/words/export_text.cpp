@@ -1,5 +1,7 @@
 #include "sweep/words/export_text.h"
 
+#include "analysis/results/text.h"
+
 #include <fmt/format.h>
 
 namespace stickslip {
@@ -142,6 +144,16 @@ std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost)
         default:
             return loop_text(answer.to, lost.why);
     }
+}
+
+std::string read_at_text(const SimulatorJoint& joint)
+{
+    const double speed = joint.friction().speed;
+    if (!(speed > 0)) return "";
+    const auto at = "Friction is read at " + with_unit(speed, Quantity::velocity, Units(joint.motion));
+    return at + (joint.speed_assumed ? ", as neither --speed nor a velocity of sliding (control.V0) is given: its law "
+                                       "states no Coulomb level"
+                                     : ": its law states no Coulomb level");
 }
 
 }  // namespace stickslip

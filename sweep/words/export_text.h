@@ -15,4 +15,7 @@ std::string gap_left_text(const GapLeft& left);
 /// Why the key is lost, and what to do where something can be done.
 std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost);
 
+/// At which velocity friction was read whose law states no Coulomb level; empty where all of them do.
+std::string read_at_text(const SimulatorJoint& joint);
+
 }  // namespace stickslip

@@ -45,7 +45,7 @@ std::string set_point_reason(SetPointReason reason)
         case SetPointReason::bristles_compensated:
             return "a feed-forward from the error or the velocity is not simulated over bristles";
         case SetPointReason::loop_unstable:
-            return "the loop is unstable even without dry friction: it diverges instead of hunting";
+            return "the loop is unstable even without dry friction: from far enough away it diverges";
         case SetPointReason::load_beyond_limits:
             return "the load at the set point exceeds what the limits leave by more than static friction holds";
         case SetPointReason::driven_cycle:
@@ -76,6 +76,34 @@ std::string set_point_reason(SetPointReason reason)
     return "";
 }
 
+namespace {
+
+/// Of the starts that were followed, what differs from the rest.
+std::string nearby_text(const SetPoint& s, Units units)
+{
+    const double within = s.rests_within(), diverges = s.diverges_from();
+    const auto length = [&](double value) { return with_unit(value, Quantity::position, units); };
+    std::string text = s.rests_nearby ? "; from nearby it comes to rest" : "";
+    if (s.rests_nearby && is_set(within)) text = "; from up to " + length(within) + " away it comes to rest";
+    if (is_set(diverges)) text += "; from " + length(diverges) + " on it diverges";
+    return text;
+}
+
+/// By their distance from the set point.
+std::string starts_text(const SetPoint& s, Units units)
+{
+    std::string text;
+    for (const auto& range : s.by_start) {
+        const auto length = [&](double value) { return with_unit(value, Quantity::position, units); };
+        const std::string at =
+            range.from == range.to ? length(range.from) : length(range.from) + " to " + length(range.to);
+        text += (text.empty() ? "" : ", ") + at + ": " + std::string(name_of(range.end));
+    }
+    return text;
+}
+
+}  // namespace
+
 std::string set_point_text(const SetPoint& s, Units units)
 {
     const auto length = [&](double value) { return with_unit(value, Quantity::position, units); };
@@ -86,10 +114,13 @@ std::string set_point_text(const SetPoint& s, Units units)
             if (is_set(s.amplitude)) text += ": stops " + length(s.amplitude) + " to either side";
             if (s.asymmetric) text = "Hunts at a set point: stops up to " + length(s.amplitude) + " away, unequally";
             if (is_set(s.period)) text += ", one cycle in " + with_unit(s.period, Quantity::time, units);
-            text += s.rests_nearby ? "; from nearby it comes to rest." : ".";
+            text += nearby_text(s, units) + ".";
             break;
         case Hunting::no:
-            if (s.diverges())
+            if (s.diverges() && is_set(s.rests_within()))
+                text =
+                    "Does not hold a set point but from nearby: rests from up to " + length(s.rests_within()) + " away";
+            else if (s.diverges())
                 text = "Does not hold a set point";
             else if (s.rest_error == infinity)
                 text = "Does not hunt: rests anywhere";
@@ -131,6 +162,7 @@ Table set_point_table(const SetPoint& s, Units units)
                                                             with_unit(s.searched_to, Quantity::position, units))});
     add("largest ratio of distances from stop to stop", s.largest_ratio, Quantity::number);
     if (s.hunting == Hunting::no) add("largest error at rest", s.rest_error, Quantity::position);
+    if (!s.by_start.empty()) table.rows.push_back({"by the distance where a slip begins", starts_text(s, units)});
     std::string keys;
     for (const auto& key : s.not_used) keys += (keys.empty() ? "" : ", ") + key;
     if (!keys.empty()) table.rows.push_back({"left out of this answer", keys});

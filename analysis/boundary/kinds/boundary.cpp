@@ -168,7 +168,7 @@ double as_one_task(const BoundaryRequest& request, const std::function<double()>
 double hunting_side(const Joint& joint)
 {
     if (!obeys_rules(joint)) return missing;
-    switch (set_point(joint).hunting) {
+    switch (set_point(joint, quick_set_point).hunting) {
         case Hunting::yes:
             return 1;
         case Hunting::no:

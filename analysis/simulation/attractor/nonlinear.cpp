@@ -96,7 +96,7 @@ void take_stated(const Attractor& stated, double deflection, NonlinearVerdict& v
     // of a motion whose end is known: what one has reached so far depends on where it was stopped; fmax ignores what is
     // missing
     if (verdict.outcome != Outcome::undecided && verdict.outcome != Outcome::solver_failure)
-        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / std::abs(deflection);
+        verdict.overshoot = std::fmax(0, std::fmax(stated.first_peak, stated.position_max)) / deflection;
     if (stated.oscillates()) describe_cycle(stated, verdict);
 }
 
@@ -167,7 +167,7 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;
 
     const Attractor stated = end_of_stated(flow, mode, y0, stated_small, decays, follow_options);
-    take_stated(stated, steady_sliding(joint).deflection, verdict);
+    take_stated(stated, displaced(joint, steady_sliding(joint)), verdict);
     FlowVector cycle_start = stated.start;
 
     if (linear.undamped) {

@@ -33,7 +33,7 @@ void dense_points(const DenseBox& box, const NonlinearOptions& options, double b
         const Joint& joint = box.joint(i);
         points[i] = linear_point(joint);
         const auto steady = steady_sliding(joint);
-        places[i] = {steady.slides_at, std::abs(steady.deflection), points[i].spectral_abscissa, missing};
+        places[i] = {steady.slides_at, displaced(joint, steady), points[i].spectral_abscissa, missing};
         PointResult decay = points[i];
         if (decay.state_variable_stable == 1 && lanes::decay(joint, options, decay))
             places[i].growth = decay.growth_rate, places[i].peak = decay.overshoot;

@@ -19,7 +19,7 @@ WatchedScaled in_units(const Joint& joint, double length, double force)
     const auto sliding = steady_sliding(joint);
     const double V0 = sliding.slides_at;
     WatchedScaled s;
-    s.length = length, s.velocity = V0, s.force = force, s.deflection = sliding.deflection;
+    s.length = length, s.velocity = V0, s.force = force, s.deflection = displaced(joint, sliding);
     s.groups.K = rounded(joint.control.k_p * length / force);
     s.groups.M = rounded(joint.mechanism.inertia * V0 * V0 / (length * force));
     return s;

@@ -119,7 +119,7 @@ bool has_real_loop(const Joint& joint)
 }
 
 LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, GrowthBy by)
-    : joint_(acting_joint(asked)), deflection_(std::abs(steady_sliding(asked).deflection)), question_(question)
+    : joint_(acting_joint(asked)), deflection_(displaced(asked, steady_sliding(asked))), question_(question)
 {
     if (auto refusal = obstacle(joint_)) {
         verdict_ = *refusal;

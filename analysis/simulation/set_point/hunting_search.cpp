@@ -17,8 +17,27 @@ constexpr double jump = 1e-6;  ///< a fixed point left by more than this share i
 double growth(const Stop& stop, double a)
 {
     if (stop.end == Stop::End::settled) return short_of_it;
+    if (stop.end == Stop::End::runaway) return -short_of_it;
     if (stop.end != Stop::End::stop) return missing;
     return growth_of_distance(stop.x, a);
+}
+
+/// The slip from x, on either side, and what is known of those after it.
+SlipEnd slip_end(const StopToStop& motion, double x)
+{
+    const auto stop = motion.slip_from(std::abs(x));
+    switch (stop.end) {
+        case Stop::End::stop:
+            return {stop.x, stop.stick_time < infinity ? std::optional<StartEnd>() : StartEnd::rests};
+        case Stop::End::settled:
+        case Stop::End::held:
+            return {stop.x, StartEnd::rests};
+        case Stop::End::runaway:
+            return {stop.x, StartEnd::diverges};
+        case Stop::End::failure:
+            break;
+    }
+    return {stop.x, StartEnd::undecided};
 }
 
 /// Goes from stop to stop for some time; the largest distance of the last stops where they go on, 0 where they end.
@@ -53,7 +72,7 @@ SetPoint cycle_at(const StopToStop& motion, double a)
 
 }  // namespace
 
-SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone, int per_decade)
+SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead_zone, const StartSearch& search)
 {
     const double least = motion.least_start();
     if (least == infinity) {
@@ -66,18 +85,18 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
     }
     // stops lie beyond the least start by distances of the order of the slips, however wide a dead zone is
     const Starts starts(least, std::max(natural * std::pow(10, -decades_below), least * precision), natural,
-                        per_decade);
+                        search.per_decade);
     auto none = no_cycle(starts, dead_zone, SetPointMethod::event_driven);
     const auto at = [&](double v) { return growth(motion.slip_from(v), v); };
     double outer = missing, f_outer = missing;
+    bool grows = false;
     const auto judged = [&](double a, double f) -> std::optional<SetPoint> {
         const double from = std::exchange(outer, a), f_from = std::exchange(f_outer, f);
-        if (f > 0 && std::isnan(from)) return none.reason = SetPointReason::loop_unstable, none;
+        grows = grows || (f > 0 && std::isnan(from));
         if (!(f > 0 && f_from <= 0)) return {};
         const double found = bracketed_root(at, a, f, from, f_from, precision).value;
         SetPoint s = cycle_at(motion, found);
         s.method = SetPointMethod::event_driven;
-        s.rests_nearby = none.rest_error > 0;
         if (std::abs(at(found)) < jump && std::abs(s.multiplier) < 1) return s;
         if (const double swing = followed(motion, from); swing > 0 && swing < infinity) {
             s.asymmetric = true;
@@ -85,7 +104,7 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
             s.slip_time = s.stick_time = s.period = s.multiplier = missing;
             return s;
         }
-        return none;
+        return {};  // a cycle may lie further in
     };
     const auto slip_from = [&](double a) {
         const auto stop = motion.slip_from(a);
@@ -93,7 +112,12 @@ SetPoint hunting_by_events(const StopToStop& motion, double natural, double dead
     };
     none.starts = starts.last + 1;
     const auto searched = search_starts(starts, slip_from, judged);
-    return searched.answer ? *searched.answer : no_cycle_found(none, searched);
+    auto s = searched.answer ? *searched.answer : no_cycle_found(none, searched);
+    if (search.unstable || (grows && s.hunting == Hunting::no))
+        s.reason = SetPointReason::loop_unstable, s.rest_error = missing;
+    else if (s.hunting != Hunting::yes)
+        return s;
+    return with_ends(s, starts, -1, search, [&](double x) { return slip_end(motion, x); });
 }
 
 SetPoint hunting_without_integral(const StopToStop& motion, double band)

@@ -72,12 +72,32 @@ SetPoint followed(const SampledStops& motion, double x)
     return s;
 }
 
+/// The slip from x and what is known of those after it.
+SlipEnd slip_end(const SampledStops& motion, double x)
+{
+    const auto stop = motion.slip_from(x);
+    switch (stop.end) {
+        case End::stop:
+            return {stop.x, stop.stick_time < infinity ? std::optional<StartEnd>() : StartEnd::rests};
+        case End::settled:
+        case End::held:
+            return {stop.x, StartEnd::rests};
+        case End::moves:
+            return {stop.x, StartEnd::hunts};
+        case End::runaway:
+            return {stop.x, StartEnd::diverges};
+        case End::failure:
+            break;
+    }
+    return {stop.x, StartEnd::undecided};
+}
+
 /// What starts on one side of the set point come to.
-SetPoint hunting_from(const SampledStops& motion, double side, double natural, double dead_zone, int per_decade)
+SetPoint hunting_from(const SampledStops& motion, double side, double natural, const StartSearch& search)
 {
     const double least = std::max(motion.least_start(side), motion.least_start(-side));
-    const Starts starts(least, natural * std::pow(10, -decades_below), natural, per_decade);
-    auto none = no_cycle(starts, dead_zone, SetPointMethod::simulated);
+    const Starts starts(least, natural * std::pow(10, -decades_below), natural, search.per_decade);
+    auto none = no_cycle(starts, motion.unseen(), SetPointMethod::simulated);
     double outer = missing;  // the nearest start so far whose slips shrink
     bool any = false, grows = false, held_beyond = false;
     const auto slip_from = [&](double distance) {
@@ -97,30 +117,34 @@ SetPoint hunting_from(const SampledStops& motion, double side, double natural, d
         if (f > 0 && std::isnan(outer)) grows = true;
         if (!(f > 0) || std::isnan(outer)) return {};
         auto s = followed(motion, side * outer);
-        if (s.hunting == Hunting::no && !s.diverges()) {
-            s = followed(motion, side * distance);  // a jump of the map lies between the two
-            if (s.hunting == Hunting::no && !s.diverges()) return none;
-        }
-        s.rests_nearby = s.hunting == Hunting::yes && none.rest_error > 0;
+        // a jump of the map lies between the two
+        if (s.hunting == Hunting::no && !s.diverges()) s = followed(motion, side * distance);
+        outer = distance;
+        if (s.hunting == Hunting::no) return {};  // a cycle may lie further in
         return s;
     };
     const auto searched = search_starts(starts, slip_from, judged);
-    if (searched.answer) return *searched.answer;
-    if (std::isnan(outer) && grows && !held_beyond) return none.reason = SetPointReason::loop_unstable, none;
+    const auto with_followed = [&](const SetPoint& s) {
+        return with_ends(s, starts, side, search, [&](double x) { return slip_end(motion, x); });
+    };
+    auto s = searched.answer ? *searched.answer : no_cycle_found(none, searched);
+    const bool diverges = search.unstable || (std::isnan(outer) && grows && !held_beyond);
+    if (diverges && s.hunting != Hunting::undecided) s.reason = SetPointReason::loop_unstable, s.rest_error = missing;
+    if (diverges || searched.answer) return with_followed(s);
     if (!any || (std::isnan(outer) && grows)) {
         none.reason = SetPointReason::held, none.rest_error = infinity;
         return none;
     }
-    return no_cycle_found(none, searched);
+    return s;
 }
 
 }  // namespace
 
-SetPoint hunting_by_simulation(const SampledStops& motion, double natural, double dead_zone, int per_decade)
+SetPoint hunting_by_simulation(const SampledStops& motion, double natural, const StartSearch& search)
 {
-    const auto before = hunting_from(motion, -1, natural, dead_zone, per_decade);
+    const auto before = hunting_from(motion, -1, natural, search);
     if (!motion.one_sided() || before.hunting == Hunting::yes) return before;
-    const auto behind = hunting_from(motion, 1, natural, dead_zone, per_decade);
+    const auto behind = hunting_from(motion, 1, natural, search);
     if (behind.hunting == Hunting::yes || before.hunting == Hunting::no) return behind;
     return before;
 }

@@ -1,12 +1,11 @@
 #include "analysis/simulation/set_point/sampled_stops.h"
 
 #include "analysis/base/work_limits.h"
-#include "analysis/numerics/polynomial.h"
+#include "analysis/simulation/set_point/loop_times.h"
 #include "analysis/simulation/set_point/set_point_load.h"
 #include "analysis/stability/effort_limits.h"
 
 #include <algorithm>
-#include <complex>
 #include <optional>
 #include <utility>
 
@@ -22,33 +21,6 @@ constexpr double arrived = 1e-4;     ///< of the start: a slip that creeps so ne
 constexpr double forgets = 8;        ///< time constants of filters and lags after which they are at rest
 constexpr double most_stops = 400;   ///< within one motion, none of which lasts: it does not come to rest
 constexpr double slow_times = 200;   ///< of the slowest time constant: what has not stopped by then does not
-
-/// Time constants of the loop without dry friction and delay, slow ones first; the slowest is a creep where its root is
-/// real.
-struct LoopTimes {
-    double slow = 0, next = 0;
-    bool creeps = false;
-};
-
-LoopTimes times_of(const Regulator& r, double viscous)
-{
-    const double c = r.k_v + r.drag + viscous, m = r.inertia;
-    LoopTimes times;
-    const auto take = [&](const auto& roots) {
-        for (const std::complex<double> s : roots) {
-            const double time = 1 / std::abs(s);
-            if (time > times.slow)
-                times.next = std::exchange(times.slow, time), times.creeps = s.imag() == 0 && s.real() < 0;
-            else
-                times.next = std::max(times.next, time);
-        }
-    };
-    if (r.k_i > 0)
-        take(cubic_roots(c / m, r.k_p / m, r.k_i / m));
-    else
-        take(quadratic_roots(c / m, r.k_p / m));
-    return times;
-}
 
 double falling_speed(const Friction& friction)
 {
@@ -78,10 +50,18 @@ bool SampledStops::one_sided() const
     return pull_at(joint_, 0, per_signal_).on_limits != 0;
 }
 
-/// Of the encoder: within it of the set point it reads that.
-double SampledStops::half_step() const
+/// The furthest place whose reading is at most that of an exact encoder at this distance: half a step beyond the last
+/// step within it.
+double SampledStops::furthest_with(double distance) const
 {
-    return 0.5 * joint_.sensor.encoder_quantum / std::abs(joint_.sensor.position_scale);
+    constexpr double rounding = 1e-12;
+    const double step = joint_.sensor.encoder_quantum / std::abs(joint_.sensor.position_scale);
+    return step > 0 ? step * (std::floor(distance / step * (1 + rounding)) + 0.5) : distance;
+}
+
+double SampledStops::unseen() const
+{
+    return furthest_with(regulator_.dead_zone);
 }
 
 /// What breaks the static friction towards the set point.
@@ -90,12 +70,18 @@ double SampledStops::effort_at_breakaway(double x) const
     return (x < 0 ? static_ : -static_) - pull_at(joint_, x, per_signal_).on_limits;
 }
 
-/// As the encoder counts it, in its units.
+/// What the encoder reads at x.
+double SampledStops::read(double x) const
+{
+    const double q = joint_.sensor.encoder_quantum, y = reading(x);
+    return q > 0 ? q * std::round(y / q) : y;
+}
+
+/// As the controller counts it, in the encoder's units.
 double SampledStops::seen_error(double x) const
 {
-    const double q = joint_.sensor.encoder_quantum, y = reading(x), read = q > 0 ? q * std::round(y / q) : y;
     const double zone = joint_.control.dead_zone;
-    return -read - std::clamp(-read, -zone, zone);
+    return -read(x) - std::clamp(-read(x), -zone, zone);
 }
 
 bool SampledStops::can_break(double x) const
@@ -107,7 +93,8 @@ bool SampledStops::can_break(double x) const
     const double e = seen_error(x);
     if (e == 0 || std::abs(reading(x)) > c.integral_band) return false;
     const auto pull = pull_at(joint_, x, per_signal_);
-    const double without_integral = regulator_.push_at_rest(x) + pull.on_feedback - pull.on_limits;
+    const double without_integral =
+        regulator_.push_at_rest(read(x) / joint_.sensor.position_scale) + pull.on_feedback - pull.on_limits;
     return std::abs(command - without_integral / per_signal_) <= c.integral_limit;
 }
 
@@ -234,14 +221,13 @@ double SampledStops::band(double side) const
         x = effort > 0 ? regulator_.dead_zone + regulator_.error_holding(asked) : regulator_.dead_zone;
         if (std::abs(x - before) <= same * x) break;
     }
-    return x + half_step();
+    return furthest_with(x);
 }
 
 double SampledStops::least_start(double side) const
 {
     const double pull = side * pull_at(joint_, 0, per_signal_).on_feedback;
-    return std::max(half_step(),
-                    regulator_.dead_zone + regulator_.error_holding(static_ + pull - regulator_.integral_limit));
+    return furthest_with(regulator_.dead_zone + regulator_.error_holding(static_ + pull - regulator_.integral_limit));
 }
 
 }  // namespace stickslip

@@ -34,6 +34,9 @@ class SampledStops {
     /// The least distance at that side (±1) from which the integral breaks away at all.
     double least_start(double side) const;
 
+    /// Up to where the encoder reads no error outside the dead zone; 0: everywhere but at the set point it does.
+    double unseen() const;
+
     /// The distance at that side up to which a loop without an integral may rest.
     double band(double side) const;
 
@@ -42,9 +45,10 @@ class SampledStops {
 
   private:
     class Watch;
-    double half_step() const;
+    double furthest_with(double reading) const;
     double effort_at_breakaway(double x) const;
     double reading(double x) const { return joint_.sensor.position_scale * x; }
+    double read(double x) const;
     double seen_error(double x) const;
     SampledLoop rest_at(double x) const;
     SampledStop follow(SampledLoop& loop, double from) const;

@@ -132,8 +132,9 @@ SetPoint without_integral(const Joint& joint, const Regulator& regulator, const 
 SetPoint simulated(const Joint& joint, const SetPointQuestion& question, const Regulator& regulator,
                    const RestingFriction& friction, double natural)
 {
-    auto s = hunting_by_simulation(SampledStops(joint, regulator, friction.viscous), natural, regulator.dead_zone,
-                                   question.starts_per_decade);
+    const bool unstable = !(sliding_growth(joint, friction.viscous) < 0);
+    auto s = hunting_by_simulation(SampledStops(joint, regulator, friction.viscous), natural,
+                                   {question.starts_per_decade, unstable, question.by_start});
     const bool equal = friction.flat && friction.dry.breakaway == friction.dry.coulomb;
     if (s.hunting == Hunting::yes && s.reason == SetPointReason::falling_friction && friction.flat && !equal)
         s.reason = SetPointReason::static_above_coulomb;
@@ -153,15 +154,17 @@ SetPoint with_integral(const Joint& joint, const SetPointQuestion& question, Reg
         return cycle.found ? cycle.amplitude : friction.dry.breakaway / regulator.k_p;
     };
     if (is_simulated(joint)) return simulated(joint, question, regulator, friction, cycle_or_spring());
-    if (!mass.stable()) return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
-    if (friction.flat && regulator.linear()) return in_closed_form(mass, friction.dry);
+    const bool stable = mass.stable();
+    if (stable && friction.flat && regulator.linear()) return in_closed_form(mass, friction.dry);
     regulator.integral_limit -= taken.on_feedback;
     regulator.effort_limit -= taken.on_limits;
     const double natural = cycle_or_spring();
+    if (!stable && (friction.presliding > 0 || !question.by_start))
+        return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
     if (friction.presliding > 0) return with_bristles(regulator, joint.friction, friction, natural);
     auto s = hunting_by_events(StopToStop(regulator, joint.friction), natural, regulator.dead_zone,
-                               question.starts_per_decade);
-    if (s.hunting == Hunting::yes && friction.flat) s.reason = SetPointReason::static_above_coulomb;
+                               {question.starts_per_decade, !stable, question.by_start});
+    if (s.reason == SetPointReason::falling_friction && friction.flat) s.reason = SetPointReason::static_above_coulomb;
     return s;
 }
 
@@ -196,7 +199,7 @@ SetPoint decided(const Joint& joint, const SetPointQuestion& question)
     if (std::abs(pull.on_limits) - friction.dry.breakaway > regulator.effort_limit)
         return rests(SetPointReason::load_beyond_limits, missing, SetPointMethod::closed_form);
     const bool integrates = regulator.k_i > 0, simulated = is_simulated(joint);
-    if (simulated && !(sliding_growth(joint, friction.viscous) < 0))
+    if (simulated && !(integrates && question.by_start) && !(sliding_growth(joint, friction.viscous) < 0))
         return rests(SetPointReason::loop_unstable, missing, SetPointMethod::closed_form);
     const bool late = joint.dead_time() > 0 || joint.actuator.lag > 0;
     if (regulator.dither > 0 && (friction.presliding > 0 || integrates || (simulated && late)))

@@ -14,7 +14,10 @@ nlohmann::ordered_json number(double value)
 
 nlohmann::ordered_json friction_json(const SimulatorFriction& f)
 {
-    return {{"coulomb", f.coulomb}, {"viscous", f.viscous}, {"static", f.breakaway}};
+    return {{"coulomb", f.coulomb},
+            {"viscous", f.viscous},
+            {"static", f.breakaway},
+            {"read_at", number(f.speed > 0 ? f.speed : missing)}};
 }
 
 }  // namespace

@@ -23,6 +23,10 @@ nlohmann::ordered_json set_point_json(const SetPoint& s)
                         {"to", json_number(s.searched_to)},
                         {"largest_ratio", json_number(s.largest_ratio)}};
     json["rests_nearby"] = s.rests_nearby;
+    json["by_start"] = nlohmann::ordered_json::array();
+    for (const auto& range : s.by_start)
+        json["by_start"].push_back(
+            {{"from", json_number(range.from)}, {"to", json_number(range.to)}, {"end", name_of(range.end)}});
     json["asymmetric"] = s.asymmetric;
     json["method"] = name_of(s.method);
     json["reason"] = set_point_reason(s.reason);

@@ -12,6 +12,7 @@
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/study/export/gap_left.h"
 #include "sweep/words/export_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/refusal_text.h"
 
 #include <fmt/format.h>
@@ -70,6 +71,7 @@ int export_verb(const Options& options)
         return exit_done;
     }
     fmt::print("{}", text);
+    if (const auto at = read_at_text(answer.joint); !at.empty()) say("{}\n", plain_text(at));
     // the text may go into a file; what is missing in it is for the reader of the terminal
     if (!answer.not_expressible.empty()) say("Not in this text:\n");
     for (const auto& n : answer.not_expressible) say("  {}: {}\n", n.key, why(n));
@@ -100,7 +102,8 @@ void add_export(CommandLine& line, Invocation& invocation)
                     "one mass: inertia of the robot's links about this axis; the remainder is armature")
         ->check(positive_number());
     verb.add_option("--speed", options->speed,
-                    "velocity at which friction without a Coulomb level is evaluated; default: control.V0")
+                    "velocity at which friction without a Coulomb level is evaluated; default: that of sliding, "
+                    "control.V0 per sensor.position_scale")
         ->check(positive_number());
     verb.add_option("--records", options->records,
                     "held-out records: the gap that the joint leaves, and the gap that the exported part of it leaves");

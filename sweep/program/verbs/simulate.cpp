@@ -39,7 +39,7 @@ namespace stickslip {
 namespace {
 
 struct Options {
-    std::string joint, directory = "out";
+    std::string joint, directory = "motion";
     std::vector<std::string> settings;
     DisturbanceOption disturbance;
     SurroundingsOption surroundings;
@@ -134,8 +134,8 @@ int record_joint(const Options& options, const Invocation& invocation)
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
     if (const auto side = gear_side(joint); side.between()) fmt::print("{}\n", plain_text(side_text(side, true)));
-    tell_measures(measure_motion(record.time, record.reference_position, record.position), units_of(joint),
-                  options.directory);
+    const auto read = measure_motion(record.time, record.reference_position, record.position);
+    tell_measures(per_reading(read, joint.sensor.position_scale), units_of(joint), options.directory);
     const auto unstable = unstable_loop(joint, record);
     const auto loop = unstable ? unstable_loop_text(*unstable, units_of(joint)) : std::string();
     if (unstable) fmt::print("{}\n", plain_text(loop));

@@ -18,8 +18,9 @@ enum Kind : std::uint8_t { rests, hunts, unused_texture, diverges, hunts_from_af
 Kind kind_of(const SetPoint& s)
 {
     if (s.hunting == Hunting::undecided) return not_decided;
+    if (s.diverges()) return diverges;
     if (s.hunting == Hunting::yes) return s.rests_nearby ? hunts_from_afar : hunts;
-    return s.diverges() ? diverges : rests;
+    return rests;
 }
 
 FieldMap map_over(const HuntingField& field, const std::vector<FollowedBoundary>& curves, Units units)

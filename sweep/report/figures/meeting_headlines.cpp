@@ -43,8 +43,8 @@ std::string meaning_of(BoundaryKind kind)
 /// worse.
 std::string hunting_boundary(const SetPoint& beyond)
 {
-    if (beyond.hunting == Hunting::yes) return "where hunting begins";
-    return beyond.diverges() ? "where hunting gives way to divergence" : "where hunting ends";
+    if (beyond.diverges()) return "where hunting gives way to divergence";
+    return beyond.hunting == Hunting::yes ? "where hunting begins" : "where hunting ends";
 }
 
 std::string met(const Meeting& m)

@@ -1,5 +1,6 @@
 #include "sweep/study/export/simulator_joint.h"
 
+#include "analysis/joint/commanded_velocity.h"
 #include "analysis/joint/gains.h"
 #include "analysis/joint/reduction.h"
 
@@ -53,7 +54,7 @@ SimulatorFriction dry(const Friction& friction, double speed)
                 return not_set;
             },
             friction.law);
-        d.speed = is_set(speed) && speed != 0 ? std::abs(speed) : is_set(V_star) && V_star > 0 ? V_star : 1e-3;
+        d.speed = is_set(speed) ? std::abs(speed) : is_set(V_star) && V_star > 0 ? V_star : 1e-3;
         d.coulomb = std::max(0.0, steady_force(friction, d.speed) - d.viscous * d.speed);
     }
     const double rest = static_force(friction);
@@ -83,7 +84,9 @@ void add(SimulatorFriction& to, const SimulatorFriction& d)
 void take_mechanism(SimulatorJoint& s, Joint joint, const SplitOptions& options)
 {
     if (joint.mechanism.model == Model::lever) joint = lever_to_three_mass(joint).joint;
-    const double speed = is_set(options.speed) ? options.speed : joint.control.V0;
+    const double sliding = sliding_velocity(joint);  // V_0 is what the encoder reads of it
+    const double speed = is_set(options.speed) ? options.speed : sliding != 0 ? sliding : not_set;
+    s.speed_assumed = !is_set(speed);
     const auto& m = joint.mechanism;
     if (m.model == Model::single_mass) {
         s.link_inertia = is_set(options.link_inertia) ? options.link_inertia : m.inertia;

@@ -25,6 +25,7 @@ struct SimulatorJoint {
     double no_load_speed = infinity, stall_effort = infinity;  ///< DC motor at its supply voltage
     double period = not_set, delay = 0;
     bool reference_velocity = true, feedback_link = false;
+    bool speed_assumed = false;  ///< friction was read at a velocity that nobody stated
 
     bool two_bodies() const { return armature > 0; }
     /// Motor and link as one rigid body.
@@ -38,7 +39,7 @@ struct SimulatorJoint {
 
 struct SplitOptions {
     double link_inertia = not_set;  ///< single mass: what the robot's links have about this axis; the rest is armature
-    double speed = not_set;         ///< at which laws without a Coulomb level of their own are read; not set: V0
+    double speed = not_set;  ///< at which laws without a Coulomb level of their own are read; not set: that of sliding
 };
 
 /// Throws std::invalid_argument where the link's inertia exceeds the joint's.

@@ -2,6 +2,8 @@
 // V_0 per that number. Every answer is of sliding there.
 #include "analysis/boundary/kinds/boundary.h"
 #include "analysis/design/design.h"
+#include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/motion_measures.h"
 #include "analysis/simulation/sampled/loop_record.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/resolution.h"
@@ -120,4 +122,33 @@ TEST_CASE("A force loop slides where its ramp says, whatever an encoder reads", 
         CHECK(steady_sliding(joint).slides_at == commanded);
         CHECK(growth_rate(joint) == Approx(growth_rate(plain)).epsilon(1e-9));
     }
+}
+
+TEST_CASE("The overshoot of a scaled encoder is that of the machine without it, per the same displacement",
+          "[stability][steady]")
+{
+    Joint scaled = scaled_joint();
+    scaled.control.V0 = scale * 0.01;  // sticks and slips
+    for (const double period : {1e-3, not_set}) {
+        scaled.control.period = period;
+        if (!is_set(period)) scaled.control.velocity_estimate = {};
+        const auto found = nonlinear_verdict(scaled), expected = nonlinear_verdict(unscaled(scaled));
+        REQUIRE(expected.overshoot > 0);
+        CHECK(found.amplitude == Approx(expected.amplitude).epsilon(1e-3));
+        CHECK(found.overshoot == Approx(expected.overshoot).epsilon(1e-3));
+    }
+    // and a step of it overshoots by as much
+    ReferenceMotion step, same;
+    for (int i = 0; i <= 3000; ++i) {
+        for (auto* r : {&step, &same}) r->time.push_back(1e-3 * i);
+        same.position.push_back(i < 10 ? 0 : 0.5);
+        step.position.push_back(scale * same.position.back());
+    }
+    scaled = scaled_joint();
+    const auto record = record_along(scaled, step, 0), plain = record_along(unscaled(scaled), same, 0);
+    const auto m = measure_motion(plain.time, plain.reference_position, plain.position);
+    const auto read = measure_motion(record.time, record.reference_position, record.position);
+    REQUIRE(m.overshoot > 0);
+    CHECK(per_reading(read, scale).overshoot == Approx(m.overshoot).epsilon(1e-4));
+    CHECK(per_reading(read, scale).final_error == Approx(m.final_error).epsilon(1e-3).margin(1e-6));
 }

@@ -94,3 +94,15 @@ TEST_CASE("The limit of the effort has to hold gravity where it pulls most and f
     joint.control.effort_limit = 61;
     CHECK_FALSE(low_limit(joint, 1e-3));
 }
+
+TEST_CASE("A joint without a velocity has no limit to blame", "[loop]")
+{
+    Joint joint = example_joint(60e3, 10, 1e-3);
+    joint.control.V0 = not_set;
+    CHECK_FALSE(low_limit(joint, not_set));
+    CHECK_FALSE(low_limit_at_rest(joint, not_set));
+    joint.actuator.kind = ActuatorKind::dc_motor;
+    joint.actuator.resistance = 1, joint.actuator.k_t = joint.actuator.k_e = 0.1;
+    joint.actuator.supply_voltage = 24, joint.actuator.supply_resistance = 0.1;
+    CHECK_FALSE(low_limit(joint, not_set));
+}

@@ -35,3 +35,13 @@ TEST_CASE("a design says how far behind its reference the link slides with the g
         return h.value == "1 m" && h.meaning == "steady deflection behind the reference";
     }));
 }
+
+TEST_CASE("a design without a velocity says that it has none, and blames no limit", "[report]")
+{
+    DesignAnswer answer;
+    answer.joint.mechanism.inertia = 1, answer.joint.control.k_p = 1e4;
+    answer.joint.friction.law = Stribeck{10, 5, 3, 0.01, 2};
+    const auto text = design_text(answer);
+    CHECK(text.find("control.V0") != std::string::npos);
+    CHECK(text.find("sag_effort") == std::string::npos);
+}

@@ -81,6 +81,34 @@ TEST_CASE("export: friction without a Coulomb level is read at the commanded vel
     CHECK(simulator_joint(joint, options).friction().coulomb == Approx(60));
 }
 
+TEST_CASE("export: friction is read at the velocity at which the joint slides, and the answer says at which")
+{
+    Joint joint = starting_joint(Model::single_mass, "rate-and-state", Motion::prismatic);
+    auto& law = std::get<RateAndState>(joint.friction.law);
+    law.f0 = 60, law.A = 1, law.B = {1.5}, law.V_star = 2e-3;
+    const auto level = [](double V) { return 60 - 0.5 * std::log(V / 2e-3); };
+    joint.control.V0 = 0.05;
+    joint.sensor.position_scale = 5;  // it slides at V_0/5
+    auto s = simulator_joint(joint);
+    CHECK(s.friction().speed == Approx(0.01));
+    CHECK(s.friction().coulomb == Approx(level(0.01)));
+    CHECK_FALSE(s.speed_assumed);
+    CHECK(read_at_text(s).find("10 mm/s") != std::string::npos);
+    for (const double none : {0.0, not_set}) {
+        joint.control.V0 = none;
+        s = simulator_joint(joint);
+        CHECK(s.speed_assumed);
+        CHECK(s.friction().coulomb == Approx(60));
+        CHECK(read_at_text(s).find("2 mm/s") != std::string::npos);
+        CHECK(read_at_text(s).find("--speed") != std::string::npos);
+        SplitOptions asked;
+        asked.speed = 0.02;
+        CHECK(simulator_joint(joint, asked).friction().coulomb == Approx(level(0.02)));
+        CHECK_FALSE(simulator_joint(joint, asked).speed_assumed);
+    }
+    CHECK(read_at_text(simulator_joint(geared())).empty());
+}
+
 TEST_CASE("export: what is in force and not said is listed, what is at its default is not")
 {
     Joint joint = geared();

@@ -2,10 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <map>
-#include <regex>
 #include <sstream>
-#include <string>
 #include <vector>
 
 #include "tests/example_joint.h"
@@ -86,16 +83,4 @@ TEST_CASE("the force of the loop is a column of motions backwards, too", "[slow]
                 CHECK(x[i] - x[0] == Approx(way).margin(1e-3 * distance + 1e-10));
             }
         }
-}
-
-TEST_CASE("each verb that writes to a folder without being told one has a folder of its own", "[program]")
-{
-    std::map<std::string, std::string> verb_of;
-    for (const std::string verb : {"sweep", "simulate", "diagnose", "figures", "timeline"}) {
-        CAPTURE(verb);
-        const auto help = program::stickslip(verb + " --help").output;
-        std::smatch found;
-        REQUIRE(std::regex_search(help, found, std::regex("--output TEXT=([a-z]+)")));
-        CHECK(verb_of.emplace(found[1], verb).second);  // else the page of one replaces that of another
-    }
 }

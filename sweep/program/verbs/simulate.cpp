@@ -39,7 +39,7 @@ namespace stickslip {
 namespace {
 
 struct Options {
-    std::string joint, directory = "motion";
+    std::string joint, directory = "out";
     std::vector<std::string> settings;
     DisturbanceOption disturbance;
     SurroundingsOption surroundings;

@@ -17,7 +17,7 @@ nlohmann::ordered_json friction_json(const SimulatorFriction& f)
     return {{"coulomb", f.coulomb},
             {"viscous", f.viscous},
             {"static", f.breakaway},
-            {"read_at", number(f.speed > 0 ? f.speed : missing)}};
+            {"read_at", number(f.speed > 0 ? f.speed : not_set)}};
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST_CASE("The overshoot of a scaled encoder is that of the machine without it, 
     for (const double period : {1e-3, not_set}) {
         scaled.control.period = period;
         if (!is_set(period)) scaled.control.velocity_estimate = {};
-        const auto found = nonlinear_verdict(scaled), expected = nonlinear_verdict(unscaled(scaled));
+        const auto found = nonlinear_verdict(scaled, {}), expected = nonlinear_verdict(unscaled(scaled), {});
         REQUIRE(expected.overshoot > 0);
         CHECK(found.amplitude == Approx(expected.amplitude).epsilon(1e-3));
         CHECK(found.overshoot == Approx(expected.overshoot).epsilon(1e-3));

@@ -128,7 +128,7 @@ TEST_CASE("The overshoot of a scaled encoder is that of the machine without it, 
           "[stability][steady]")
 {
     Joint scaled = scaled_joint();
-    scaled.control.V0 = scale * 0.01;  // sticks and slips
+    scaled.control.V0 = scale * 0.01, scaled.control.k_v = 0.1;  // sticks and slips
     for (const double period : {1e-3, not_set}) {
         scaled.control.period = period;
         if (!is_set(period)) scaled.control.velocity_estimate = {};

@@ -35,7 +35,7 @@ def test_a_gap_is_new_has_another_size_or_is_as_it_was(tmp_path):
 
 def test_baselines_that_are_none_are_refused(tmp_path):
     for text, told in (("{}", "is not a gap baseline"), ("{", "is not complete JSON"),
-                       ('{"format": "stickslip-gap-baseline/1", "joint": "", "diagnosis": {}}', "is no diagnosis"),
+                       ('{"format": "stickslip-gap-baseline/1", "joint": "", "diagnosis": {}}', "is not a diagnosis"),
                        ('{"format": "stickslip-gap-baseline/1"}', "lacks joint or diagnosis")):
         (tmp_path / "b.json").write_text(text)
         with pytest.raises(StickslipError, match=told):

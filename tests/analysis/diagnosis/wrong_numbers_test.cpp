@@ -20,6 +20,15 @@ std::vector<Record> two_records(const Machine& m)
     return {test::record_of(m, 1), test::record_of(m, 2)};
 }
 
+/// Logged as the current times the documented constant, of which the machine has `gain` times as much.
+std::vector<Record> with_shared_constant(const Machine& m)
+{
+    auto records = two_records(m);
+    for (auto& record : records)
+        for (double& effort : record.effort_measured) effort /= m.gain;
+    return records;
+}
+
 double value_of(const Cause& cause, std::string_view name)
 {
     const auto number = std::ranges::find(cause.parameters, name, &FittedParameter::name);
@@ -49,10 +58,7 @@ TEST_CASE("a torque constant that a log of the current shares is named, not ever
 {
     Machine m;
     m.gain = 1.1, m.effort_noise = 0.01;
-    auto records = two_records(m);
-    for (auto& record : records)
-        for (double& effort : record.effort_measured) effort /= m.gain;
-    const auto d = test::answer(test::nominal_joint(), records, in_order).diagnosis;
+    const auto d = test::answer(test::nominal_joint(), with_shared_constant(m), in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects[0].names == std::vector<std::string>{"effort-gain"});
     CHECK(value_of(d.effects[0], "effort-gain.factor") == Approx(1.1).epsilon(0.005));
@@ -63,10 +69,7 @@ TEST_CASE("a torque constant that a log of the current shares is found beside an
     // corrections of every number by a seventh say the same, and would bend the inertia by it
     Machine m;
     m.gain = 0.86, m.inertia *= 0.77, m.effort_noise = 0.01;
-    auto records = two_records(m);
-    for (auto& record : records)
-        for (double& effort : record.effort_measured) effort /= m.gain;
-    const auto d = test::answer(test::nominal_joint(), records, in_order).diagnosis;
+    const auto d = test::answer(test::nominal_joint(), with_shared_constant(m), in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     const auto& named = d.effects[0];
     REQUIRE(std::ranges::is_permutation(named.names, std::vector<std::string>{"inertia", "effort-gain"}));
@@ -79,10 +82,7 @@ TEST_CASE("a torque constant beside a Coulomb level is no encoder with another s
     // the scale of the position makes the same inertia and viscous friction of the logged effort
     Machine m;
     m.gain = 0.85, m.coulomb *= 0.81, m.effort_noise = 0.01;
-    auto records = two_records(m);
-    for (auto& record : records)
-        for (double& effort : record.effort_measured) effort /= m.gain;
-    const auto d = test::answer(test::nominal_joint(), records, in_order).diagnosis;
+    const auto d = test::answer(test::nominal_joint(), with_shared_constant(m), in_order).diagnosis;
     REQUIRE(d.verdict == Verdict::gap);
     const auto& named = d.effects[0];
     REQUIRE(std::ranges::is_permutation(named.names, std::vector<std::string>{"coulomb-level", "effort-gain"}));

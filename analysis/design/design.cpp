@@ -180,6 +180,36 @@ GainChoice nearest_feasible(Judge& judge, const std::vector<Fared>& requirements
     return least ? least->at : otherwise;
 }
 
+bool meets_all(const Judge& judge, const GainChoice& c)
+{
+    return worst_of(judge.violations(c)) <= tolerance && std::isfinite(std::log(c.cost));
+}
+
+/// Where every direction shows a smaller margin than the search saw: gains of a search for as much more.
+Place with_more_margin(Judge& judge, Place best)
+{
+    constexpr int rounds = 4;
+    constexpr double more = 1.2;  // than what was lacking, as the next gains lack something, too
+    double asked = judge.requirements().margin;
+    for (int round = 0; round < rounds; ++round) {
+        const auto choice = judged_at(judge, best);
+        const double lacking = judge.requirements().margin - choice.margin;
+        if (meets_all(judge, choice) || !(lacking > 0)) break;
+        asked += more * lacking;
+        Judge stricter = judge.with_margin(asked);
+        best = Search(stricter, log_cost).run({best}, false);
+    }
+    return best;
+}
+
+/// The cheapest that meets all requirements, of gains that were judged with every direction in view.
+void take_cheapest(const Judge& judge, const std::vector<GainChoice>& known, GainDesign& design)
+{
+    for (const auto& choice : known)
+        if (meets_all(judge, choice) && (!design.feasible || choice.cost < design.best.cost))
+            design.best = choice, design.feasible = true;
+}
+
 /// Ascending in margin: choices that another one beats in both margin and cost are searched again from its gains, and
 /// left out if they stay beaten.
 void keep_undominated(std::vector<GainChoice>& front, const std::function<GainChoice(GainChoice, GainChoice)>& again)
@@ -271,13 +301,20 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
     const auto own = judge.place_of(std::clamp(joint.control.k_p, range.k_p.low, range.k_p.high),
                                     std::clamp(joint.control.k_v, range.k_v.low, range.k_v.high));
     design.as_joint = judge.thorough(joint.control.k_p, joint.control.k_v);
-    const auto best = Search(judge, log_cost).run({own}, true);
+    const auto best = with_more_margin(judge, Search(judge, log_cost).run({own}, true));
     design.best = judged_at(judge, best);
-    design.feasible = worst_of(judge.violations(design.best)) <= tolerance && std::isfinite(std::log(design.best.cost));
+    design.feasible = meets_all(judge, design.best);
     std::vector<Fared> requirements;
     tell(DesignStage::requirements);
     for (int i = 0; i < requirement_count; ++i)
         if (is_specified(r, i)) requirements.push_back(fared(judge, design.best, best, i));
+    const double largest = requirements[0].report.others_met ? most_of_margin * requirements[0].report.attainable : 0;
+    design.evaluations = judge.evaluations();
+    tell(DesignStage::front);
+    add_front(judge, r, best, own, largest, parallel, design);
+    std::vector<GainChoice> known = design.front;
+    for (const auto& f : requirements) known.push_back(f.at);
+    take_cheapest(judge, known, design);
     if (!design.feasible) design.best = nearest_feasible(judge, requirements, design.best);
     for (auto& d : requirements) {
         const auto i =
@@ -286,11 +323,6 @@ GainDesign design_gains(const Joint& joint, const Requirements& r, const Paralle
         d.report.met = judge.violations(design.best)[static_cast<std::size_t>(i)] <= tolerance;
         design.requirements.push_back(d.report);
     }
-    design.evaluations = judge.evaluations();
-
-    const double largest = design.requirements[0].others_met ? most_of_margin * design.requirements[0].attainable : 0;
-    tell(DesignStage::front);
-    add_front(judge, r, best, own, largest, parallel, design);
 
     tell(DesignStage::velocity_only);
     Judge simple(joint, r, Curve::Kind::velocity_only);

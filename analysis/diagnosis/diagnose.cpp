@@ -116,7 +116,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     // the named set first, then everything that was fitted, by probability
     const auto ranked =
         f.within_noise || f.by_ladder ? std::vector<Ranked>{} : rank(f.singles, f.pairs, f.decision, rows_of(p.cases));
-    const Attribution& winner = !f.named() ? f.none : f.by_ladder ? f.judged.winner : *ranked.front().attribution;
+    const Attribution& winner = !f.named() ? f.none : in_the_ladder(f) ? f.judged.winner : *f.decision.winner;
     const bool audit_alone = winner.candidate.effects.empty();
     const auto held = held_out(p, parallel, shown ? winner : f.none, runs);
     d.gap = held.signals;
@@ -132,8 +132,7 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
         report_named(p, parallel, f, d);
     } else {
         list_effects(p, ranked, d);
-        if (!d.effects.empty() && shown)
-            d.effects[0].heldout_gain = held.gain, d.effects[0].heldout_gain_interval = held.gain_interval;
+        if (!d.effects.empty() && shown) report_first(p, f, held, d.effects[0]);
     }
     if (d.verdict == Verdict::unknown && !f.within_noise && !f.why_not) report_unexplained(f, d);
     double audited = 0;
@@ -151,7 +150,8 @@ void conclude(const Prepared& p, Findings& f, int runs, const ParallelFor& paral
     if (!f.climbed && shown) d.remainder.share = f.within_noise ? 0 : std::clamp(1 - held.overall.explained, 0.0, 1.0);
     if (shown) report_rivals(p, parallel, f, ranked, winner, d);
     if (shown) report_filter(p, d);
-    const bool settled = f.within_noise || f.by_ladder || winner.accepted || wrong_controller;
+    const bool settled =
+        f.within_noise || f.by_ladder || (f.named() && f.decision.winner->accepted) || wrong_controller;
     if (!shown || reject_if_not_validated(d, {settled, p.noise_documented(), f.by_ladder, wrong_controller ? 1u : 0u}))
         return;
     const Joint documented = result.after;

@@ -37,7 +37,7 @@ void report_named(const Prepared& p, const ParallelFor& parallel, const Findings
         const Fit fit = p.fit(parallel);
         const auto base = at_all_levels(fit, j.ladder.corrected);
         std::vector<Attribution> rivals;
-        for (const auto& rival : j.ladder.rivals[0]) rivals.push_back(at_all_levels(fit, rival));
+        for (const auto& rival : j.ladder.rivals[0]) rivals.push_back(at_all_levels(fit, rival.named()));
         std::vector<const Attribution*> models{&base, &j.winner};
         for (const auto& rival : rivals) models.push_back(&rival);
         const auto forces = hold_out_drive_force(fit, models);
@@ -117,6 +117,21 @@ void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosi
     constexpr std::size_t most_listed = 8;  // numerical: length of a list
     for (const auto& r : ranked)
         if (d.effects.size() < most_listed) d.effects.push_back(cause_of(p, *r.attribution, r.probability));
+}
+
+bool in_the_ladder(const Findings& f)
+{
+    if (f.by_ladder || !f.climbed || !f.named()) return f.by_ladder;
+    const Candidate &of_ladder = f.judged.ladder.last().causes, &named = f.decision.winner->candidate;
+    return of_ladder.effects == named.effects && of_ladder.forms == named.forms;
+}
+
+void report_first(const Prepared& p, const Findings& f, const HeldOut& held, Cause& cause)
+{
+    cause.heldout_gain = held.gain, cause.heldout_gain_interval = held.gain_interval;
+    if (!in_the_ladder(f)) return;
+    Cause corrected = cause_of(p, f.judged.winner, 1, f.judged.corrections);
+    cause.parameters = std::move(corrected.parameters), cause.values = std::move(corrected.values);
 }
 
 }  // namespace stickslip::gap

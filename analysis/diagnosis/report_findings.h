@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/diagnose.h"
 #include "analysis/diagnosis/search/attribute.h"
 #include "analysis/diagnosis/verdict/find_causes.h"
+#include "analysis/diagnosis/verdict/long_records.h"
 
 #include <exception>
 #include <string>
@@ -25,5 +26,13 @@ void report_rivals(const Prepared& p, const ParallelFor& parallel, const Finding
 
 /// The causes beside the ladder's, which names none: everything that was fitted, by probability.
 void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d);
+
+/// Whether what is named has its numbers in the ladder: one that was accepted without corrections, too, where its
+/// ladder is all it, as every document is a little off.
+bool in_the_ladder(const Findings& f);
+
+/// What a cause that was accepted without corrections gains on unseen data, and its numbers in the ladder where it has
+/// one.
+void report_first(const Prepared& p, const Findings& f, const HeldOut& held, Cause& cause);
 
 }  // namespace stickslip::gap

@@ -13,7 +13,7 @@ enum class Detail : std::uint8_t {
     moving_normal_load,  ///< part of the linear theory only
     neighbours,          ///< likewise
     backlash,            ///< leaves no steady sliding to disturb
-    place_or_time,       ///< a force or friction that changes with position or time: likewise
+    place_or_time,       ///< a force or friction changes with position or time, and does not repeat soon enough
     chatters,            ///< a push towards the set point jumps by more than steady sliding takes
     effort_limit,        ///< is below what steady sliding takes
     no_time_step,        ///< that the simulation can take, beside the fastest rate of the joint

@@ -23,7 +23,8 @@ struct NonlinearVerdict {
     Disturbance disturbance;                              ///< with its size in SI
     double growth_rate = missing;                         ///< of a small disturbance of that kind, measured [1/s]
     double amplitude = missing;                           ///< of the cycle: half peak to peak in position [m | rad]
-    double jitter = missing;  ///< by encoder or noise: half peak to peak of sliding, or scatter of a cycle's amplitude
+    double jitter =
+        missing;  ///< by encoder, noise or what changes on the way: half peak to peak of sliding, or scatter of a cycle
     double period_jitter = missing;                         ///< by encoder or noise: scatter of a cycle's period, s
     double velocity_min = missing, velocity_max = missing;  ///< of the link over the cycle [m/s | rad/s]
     double period = missing;                                ///< s
@@ -40,7 +41,10 @@ struct NonlinearVerdict {
     Detail growth_missing = Detail::none;    ///< why there is no growth rate
     Detail fold_missing = Detail::none;      ///< why a fold was looked for and not found
     LargerTried searched_from = LargerTried::none;  ///< larger disturbances, where the stated one decays
-    bool used_fallback = false;                     ///< CVODE gave up on the way and Rodas5P finished
+    /// The encoder's steps, noise or forces that change on the way alone lead into the cycle, although smaller
+    /// disturbances decay.
+    bool noise_suffices = false;
+    bool used_fallback = false;  ///< CVODE gave up on the way and Rodas5P finished
 
     /// Whether what does not slide on comes to rest for good, where limits keep its static friction from breaking.
     bool comes_to_rest() const

@@ -75,6 +75,8 @@ struct Note {
         undocumented_k_v,       ///< the command has a part that is proportional to the velocity
         filter_as_exponential,  ///< values: the filter's time constant that was found, the documented one; the
                                 ///< documented one discretised as 1 - exp(-T/tau) is the same filter
+        sample_of_integral,     ///< names: key of a gain; values: what it is in the file's meaning, part of the present
+                                ///< sample that the controller's integral does not count
         // the verdict
         within_noise,             ///< the nominal joint predicts every record to the noise
         nothing_would_show,       ///< no effect of usual size, under this excitation
@@ -99,6 +101,7 @@ struct Note {
         doubted_above_noise,      ///< names, which may not act alone; values: noise floors that remain
         doubted_as_a_whole,  ///< names; values: what they explain of whole records, simulated, and noise floors that
                              ///< remain
+        adds_up,             ///< values: noise floors that whole records keep where rows are within the noise
         far_as_a_whole,      ///< values: noise floors by which the nominal joint misses where rows are within the noise
         interrupted_early,   ///< names: codes of the stage and those left out; nothing was found yet
         interrupted_located,  ///< names: codes of the stage and those left out; where the gap lies was found

@@ -67,13 +67,13 @@ std::vector<NonlinearVerdict> real_loop_verdicts(std::span<const Joint* const> j
 
 void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& options, std::span<PointResult> points)
 {
-    if (std::none_of(joints.begin(), joints.end(), has_real_loop)) return ideal_points(joints, options, points);
+    if (std::none_of(joints.begin(), joints.end(), takes_ticks)) return ideal_points(joints, options, points);
     std::vector<const Joint*> real;
     std::vector<PointResult*> real_rows;
     std::vector<Joint> ideal;
     std::vector<PointResult> rows;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (has_real_loop(joints[i]))
+        if (takes_ticks(joints[i]))
             real.push_back(&joints[i]), real_rows.push_back(&points[i]);
         else
             ideal.push_back(joints[i]), rows.push_back(points[i]);
@@ -83,7 +83,7 @@ void nonlinear_points(std::span<const Joint> joints, const NonlinearOptions& opt
     ideal_points(ideal, options, rows);
     auto next = rows.begin();
     for (std::size_t i = 0; i < joints.size(); ++i)
-        if (!has_real_loop(joints[i])) points[i] = *next++;
+        if (!takes_ticks(joints[i])) points[i] = *next++;
 }
 
 }  // namespace stickslip

@@ -175,7 +175,7 @@ Trajectory simulate(const Joint& asked, const SimulateOptions& options)
     Joint joint = asked;
     const bool driven =
         !options.force.value.empty() || options.force.impulse != 0 || !options.normal_load.value.empty();
-    if (has_real_loop(joint) || has_unsteady_terms(joint)) {
+    if (takes_ticks(joint)) {
         if (!driven)
             return loop_trajectory(
                 joint, {options.disturbance, options.duration, options.cycle_period, options.rtol, options.seed});

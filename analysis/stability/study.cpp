@@ -96,6 +96,12 @@ LinearStudy linear_study(const Joint& given)
         study.margins = loop_margins(linear, gains.crossings);
     } else if (const auto margins = real_margins(joint); growth_rate(joint) < 0) {
         study.margins = {margins.gain_below, margins.gain_above, margins.lag, margins.crossover};
+        // those are of all gains together
+        const double k_p = joint.control.k_p;
+        for (const auto& window : gains.known&& turns_gains ? gains.stable : std::vector<Interval>{})
+            if (k_p > 0 && window.low < k_p && k_p < window.high)
+                study.margins.gain_below = std::max(0.0, window.low / k_p),
+                study.margins.gain_above = window.high / k_p;
     }
     if (!known_at_one_velocity(joint)) {
         const bool back = steady.velocity < 0;

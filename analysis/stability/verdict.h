@@ -47,8 +47,9 @@ struct StateVariableVerdict {
     double searched_from = 0;                ///< k_p from which crossings are complete: above 0 where k_p moves sliding
     double searched_to = infinity;           ///< and up to which; finite there, and where delays go on
     double gain_margin_db = missing;         ///< least change of the loop gain, either way, that makes it unstable
-    double phase_margin_deg = missing;       ///< at |L| = 1, broken at the command: negative where it is unstable
-    std::vector<Interval> doubtful;          ///< bands of ω in which a touch of the axis could not be excluded
+    double phase_margin_deg =
+        missing;                     ///< at |L| = 1, broken at the command: to the nearest instability by phase alone
+    std::vector<Interval> doubtful;  ///< bands of ω in which a touch of the axis could not be excluded
 };
 
 /// Both verdicts on one joint, and what they are about.

@@ -74,9 +74,9 @@ def with_arm_load(records: Mapping[str, Any], robot: str | Path | None = None, *
 
 
 def _column(name: str, frame: "pandas.DataFrame", column: str) -> "numpy.ndarray":
-    if column not in frame:
-        raise StickslipError(f"{name}: has no column {column}, it has {', '.join(frame.columns)}")
-    return frame[column].to_numpy(dtype=float)
+    from .records import numbers_of
+
+    return numbers_of(name, frame, column).to_numpy(dtype=float)
 
 
 def _arm_load(frames: "Mapping[str, pandas.DataFrame]", window: float | None, words: list[Any], at: Mapping[str, float] | None):

@@ -25,7 +25,7 @@ def _numbers(where: str, given: "pandas.Series") -> "pandas.Series":
     if types.is_bool_dtype(given.dtype):
         given = given.astype(float) if given.dtype == bool else given.astype("Float64")
     if types.is_complex_dtype(given.dtype) or types.is_datetime64_any_dtype(given.dtype) or types.is_timedelta64_dtype(given.dtype):
-        raise StickslipError(f"{where} holds {given.dtype}, expected numbers (times in seconds)")
+        raise StickslipError(f"{where} holds {given.dtype}, expected numbers")
     if types.is_numeric_dtype(given.dtype):
         plain = isinstance(given.dtype, numpy.dtype)  # whole numbers stay whole: nanoseconds have more digits than a float
         return given if plain else pandas.Series(given.to_numpy(dtype=float, na_value=numpy.nan), index=given.index)
@@ -38,22 +38,45 @@ def _numbers(where: str, given: "pandas.Series") -> "pandas.Series":
     return values
 
 
-def as_frame(name: str, record: Any):
-    """A data frame of plain numbers; complains by record, column and row about everything else."""
+def _seconds(times: "pandas.Series") -> "pandas.Series":
+    """Dates and durations as seconds since the first; other times as they are."""
+    from pandas.api import types
+
+    if types.is_datetime64_any_dtype(times.dtype) or types.is_timedelta64_dtype(times.dtype):
+        return (times - times.iloc[0]).dt.total_seconds()
+    return times
+
+
+def _table(name: str, record: Any) -> "pandas.DataFrame":
+    """Data frame, dict of columns, NumPy array with named fields, or xarray's Dataset over one dimension."""
     import numpy
+    import pandas
+
+    if isinstance(record, numpy.ndarray) and record.dtype.names and record.ndim == 1:
+        record = pandas.DataFrame({field: record[field] for field in record.dtype.names})
+    elif hasattr(record, "to_dataframe") and hasattr(record, "dims"):
+        if len(record.dims) != 1:
+            raise StickslipError(f"{name}: got a dataset over {', '.join(map(str, record.dims))}, expected one over time alone")
+        record = record.to_dataframe()
+    elif not isinstance(record, (pandas.DataFrame, Mapping)):
+        raise StickslipError(f"{name}: got {type(record).__name__}, expected a data frame, a dict of columns, an array with named "
+                             "fields, or a file")
+    try:
+        return pandas.DataFrame(record)
+    except (TypeError, ValueError) as error:
+        raise StickslipError(f"{name}: {error}") from None
+
+
+def as_frame(name: str, record: Any) -> "pandas.DataFrame":
+    """A data frame whose columns are numbers where they can be; times are seconds. Other columns stay as they are: a log may
+    have some that nobody reads, and the program complains about those that it does."""
     import pandas
     from pandas.api import types
 
-    if not isinstance(record, (pandas.DataFrame, Mapping)):
-        raise StickslipError(f"{name}: got {type(record).__name__}, expected a data frame, a dict of columns, or a file")
-    try:
-        frame = pandas.DataFrame(record)
-    except (TypeError, ValueError) as error:
-        raise StickslipError(f"{name}: {error}") from None
-    if "time" not in frame.columns and (types.is_datetime64_any_dtype(frame.index.dtype) or types.is_timedelta64_dtype(frame.index.dtype)):
-        raise StickslipError(f"{name}: the index holds {frame.index.dtype}, expected times in seconds: (index - index[0]).total_seconds()")
-    if frame.index.name == "time" and "time" not in frame.columns:
-        frame = frame.reset_index()
+    frame = _table(name, record)
+    dated = types.is_datetime64_any_dtype(frame.index.dtype) or types.is_timedelta64_dtype(frame.index.dtype)
+    if "time" not in frame.columns and (dated or frame.index.name == "time"):
+        frame = frame.rename_axis("time").reset_index()
     if frame.empty:
         raise StickslipError(f"{name}: has no rows")
     for column in frame.columns:
@@ -62,17 +85,29 @@ def as_frame(name: str, record: Any):
     twice = frame.columns[frame.columns.duplicated()]
     if len(twice):
         raise StickslipError(f"{name}: got {list(frame.columns).count(twice[0])} columns called {twice[0]!r}, expected one")
-    columns = {str(column): _numbers(f"{name}: column {column!r}", frame[column]) for column in frame.columns}
-    clean = pandas.DataFrame(columns)
-    missing = clean.columns[clean.isna().any()]
-    if len(missing):
-        row = int(numpy.flatnonzero(clean[missing[0]].isna().to_numpy())[0])
-        raise StickslipError(f"{name}: column {missing[0]!r}, row {row}: has no value; remove such rows or fill them")
-    endless = clean.columns[numpy.isinf(clean.to_numpy(dtype=float)).any(axis=0)]
-    if len(endless):
-        row = int(numpy.flatnonzero(numpy.isinf(clean[endless[0]].to_numpy()))[0])
-        raise StickslipError(f"{name}: column {endless[0]!r}, row {row}: got {clean[endless[0]].iloc[row]}, expected a finite number")
-    return clean
+
+    def plain(column: str) -> "pandas.Series":
+        given = _seconds(frame[column]) if column == "time" else frame[column]
+        try:
+            return _numbers(column, given)
+        except StickslipError:
+            return given
+
+    return pandas.DataFrame({column: plain(column) for column in frame.columns})
+
+
+def numbers_of(name: str, frame: "pandas.DataFrame", column: str) -> "pandas.Series":
+    """One column in which every row has a finite number; complains by record, column and row about everything else."""
+    import numpy
+
+    if column not in frame:
+        raise StickslipError(f"{name}: has no column {column}, it has {', '.join(frame.columns)}")
+    values = _numbers(f"{name}: column {column!r}", frame[column])
+    for wrong, said in ((values.isna(), "has no value; remove such rows or fill them"),
+                        (numpy.isinf(values.astype(float)), "is infinite, expected a finite number")):
+        if wrong.any():
+            raise StickslipError(f"{name}: column {column!r}, row {int(numpy.flatnonzero(wrong.to_numpy())[0])}: {said}")
+    return values
 
 
 def write_record(name: str, record: Any, folder: Path, log: Mapping[str, Any]) -> Path:

@@ -43,13 +43,24 @@ def _input(given: JointLike | SpecLike) -> Iterator[Path]:
     elif isinstance(given, Mapping) or (isinstance(given, str) and "\n" in given):
         with tempfile.TemporaryDirectory(prefix="stickslip-") as folder:
             file = Path(folder) / "input.toml"
-            file.write_text(given if isinstance(given, str) else toml_text.dumps(given), encoding="utf-8")
+            file.write_text(given if isinstance(given, str) else toml_text.dumps(_from_here(given)), encoding="utf-8")
             with _called(file, "input"):
                 yield file
     elif isinstance(given, (str, Path)):
         yield Path(given)
     else:
         raise TypeError(f"joint: got {type(given).__name__}, expected a Joint, a file, TOML text or a dict")
+
+
+def _from_here(tables: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Files that the tables name are looked up from the working directory: there is no file that they could be beside."""
+    found = dict(tables)
+    joint, friction = tables.get("joint"), tables.get("friction")
+    if isinstance(joint, str):
+        found["joint"] = str(Path(joint).absolute())
+    if isinstance(friction, Mapping) and isinstance(friction.get("table"), str):
+        found["friction"] = {**friction, "table": str(Path(friction["table"]).absolute())}
+    return found
 
 
 def _mapping(name: str, given: Any, example: str) -> Mapping[str, Any]:

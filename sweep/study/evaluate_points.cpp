@@ -88,7 +88,7 @@ std::string evaluation_text(const NonlinearSpec& spec, const std::vector<Axis>& 
 double seconds_per_point(const NonlinearSpec& spec, const Joint& joint)
 {
     if (spec.enabled && lanes::in_ticked_lanes(joint)) return ticked_lanes_point_cost;
-    if (spec.enabled && has_real_loop(joint)) return real_loop_point_cost;
+    if (spec.enabled && takes_ticks(joint)) return real_loop_point_cost;
     const bool in_lanes = lanes::scaled(joint) || lanes::stribeck_scaled(joint) || lanes::watched_scaled(joint);
     if (spec.enabled && !in_lanes) return lone_point_cost;
     return spec.enabled ? nonlinear_point_cost : linear_point_cost;

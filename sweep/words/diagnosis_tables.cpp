@@ -92,7 +92,8 @@ std::string value_text(const SheetValue& v)
     const double parts = std::min(std::abs(v.value) / (v.interval.high - v.interval.low), std::pow(10, most));
     const int digits = parts > 1 ? std::clamp(static_cast<int>(std::log10(parts)) + 2, least, most) : least;
     const auto text = [&](double value) { return plain_number(value, digits); };
-    return fmt::format("{} ({} … {}) {}", text(v.value), text(v.interval.low), text(v.interval.high), v.unit);
+    const auto unit = v.unit.empty() ? "" : " " + v.unit;
+    return fmt::format("{} ({} … {}){}", text(v.value), text(v.interval.low), text(v.interval.high), unit);
 }
 
 Table values_table(const Diagnosis& d)

@@ -101,10 +101,13 @@ std::string simulator_name(Simulator to)
     return "";
 }
 
-std::string gap_left_text(const GapLeft& left)
+std::string gap_left_text(const ExportAnswer& answer)
 {
-    std::string text = fmt::format("On these records the text leaves {:.3g} × the noise floor, the joint {:.3g} ×",
-                                   left.text, left.joint);
+    const GapLeft& left = *answer.gap_left;
+    const bool stepped = answer.to != Simulator::ros2_control;
+    std::string text =
+        fmt::format("On these records the text{} leaves {:.3g} × the noise floor, the joint {:.3g} ×",
+                    stepped ? fmt::format(", in steps of {:g} s,", answer.timestep) : "", left.text, left.joint);
     for (const auto& s : left.signals)
         text += fmt::format("\n  {}: {:.3g} {} by the text, {:.3g} by the joint, {:.3g} is noise", s.signal, s.text,
                             s.unit, s.joint, s.floor);

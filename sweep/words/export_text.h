@@ -10,7 +10,7 @@ namespace stickslip {
 std::string simulator_name(Simulator to);
 
 /// What the text leaves of the gap in the records, beside the joint as it is.
-std::string gap_left_text(const GapLeft& left);
+std::string gap_left_text(const ExportAnswer& answer);
 
 /// Why the key is lost, and what to do where something can be done.
 std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost);

@@ -13,6 +13,17 @@ std::string impossible_inertia_text(const ImpossibleInertia& of)
         of.place, of.body, I[0], I[1], I[2]);
 }
 
+std::string suspected_unit_text(const SuspectedUnit& of)
+{
+    if (of.kind == SuspectedUnit::Kind::length)
+        return fmt::format(
+            "{}: {} reaches {:.4g} m, which no link of an arm does: lengths are in metres, and inertias in kg·m². It "
+            "counts as it is written.",
+            of.place, of.of, of.value);
+    return fmt::format("{}: {} may turn by {:.4g} rad between its limits: angles are in radians.", of.place, of.of,
+                       of.value);
+}
+
 std::string beyond_limits_text(const PoseBeyondLimits& of)
 {
     const auto& j = of.joint;

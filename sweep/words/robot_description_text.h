@@ -9,6 +9,9 @@ namespace stickslip {
 /// Sentence.
 std::string impossible_inertia_text(const ImpossibleInertia& of);
 
+/// Sentence.
+std::string suspected_unit_text(const SuspectedUnit& of);
+
 /// Sentence without full stop: joint, where it stands, its limits.
 std::string beyond_limits_text(const PoseBeyondLimits& of);
 

@@ -79,6 +79,9 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
                                  ? std::vector<std::string>{"a larger disturbance",
                                                             v.comes_to_rest() ? "ends at rest for good: bistable"
                                                                               : "ends in a limit cycle: bistable"}
+                             : v.noise_suffices
+                                 ? std::vector<std::string>{"a small disturbance",
+                                                            "decays; what disturbs the loop all the time does not"}
                                  : std::vector<std::string>{"a small disturbance", "decays: bistable"});
     if (v.region == NonlinearRegion::stable)
         table.rows.push_back(

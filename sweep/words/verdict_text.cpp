@@ -69,12 +69,15 @@ bool above_the_loops_window(const Joint& joint, const LinearVerdict& v)
 }
 
 /// The first words: what the joint does, and how fast.
-std::string first_words(const Joint& joint, const LinearVerdict& v, bool bistable, bool rests)
+std::string first_words(const Joint& joint, const LinearVerdict& v, TakenOut taken, bool rests)
 {
     const auto in_words = [&](double V) { return with_unit(V, Quantity::velocity, units_of(joint)); };
     auto speed = in_words(v.steady.slides_at);
     if (v.steady.slides_at != v.steady.velocity) speed += " (commanded: " + in_words(v.steady.velocity) + ")";
-    if (v.state_variable.stable && bistable)
+    if (v.state_variable.stable && taken == TakenOut::by_noise)
+        return "Not smooth: the encoder's steps, noise or forces that change on the way alone bring sliding at " +
+               speed + " into a lasting cycle";
+    if (v.state_variable.stable && taken == TakenOut::by_larger)
         return "Bistable: slides smoothly at " + speed + ", but a large enough disturbance " +
                (rests ? "brings it to rest for good" : "leads to lasting stick-slip");
     if (v.state_variable.stable) return "Slides smoothly at " + speed;
@@ -115,7 +118,13 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
 
 }  // namespace
 
-std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistable, bool rests)
+TakenOut taken_out(const NonlinearVerdict& verdict)
+{
+    if (verdict.region != NonlinearRegion::bistable) return TakenOut::by_nothing;
+    return verdict.noise_suffices ? TakenOut::by_noise : TakenOut::by_larger;
+}
+
+std::string verdict_text(const Joint& joint, const LinearVerdict& v, TakenOut taken, bool rests)
 {
     const Units units = units_of(joint);
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
@@ -126,13 +135,13 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, bool bistab
         return "Undecided at the design point: " + reason_text(v.steady.reason, joint) + ".";
     const auto& memory = v.state_variable;
     const double k_p = joint.control.k_p;
-    std::string text = first_words(joint, v, bistable, rests);
+    std::string text = first_words(joint, v, taken, rests);
     if (memory.neutral)
         text += neutral_words(joint, memory);
     else if (std::isfinite(memory.k_cr) && k_p > 0)
         text += beside_k_cr(k_p, memory, units);
     else
-        text += stable_gains(joint, memory, bistable);
+        text += stable_gains(joint, memory, taken != TakenOut::by_nothing);
     return text + other_theory(joint, v) + loop_text(v.loop);
 }
 

@@ -8,9 +8,14 @@
 
 namespace stickslip {
 
-/// The answer in one sentence, in chart mark-up. `bistable`: what the linear theory calls stable is half of the answer,
-/// a large enough disturbance ends in stick-slip. `rests`: what does not slide on stays at rest.
-std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, bool bistable = false, bool rests = false);
+/// What takes a joint out of sliding whose small disturbances decay.
+enum class TakenOut { by_nothing, by_larger, by_noise };
+TakenOut taken_out(const NonlinearVerdict& verdict);
+
+/// The answer in one sentence, in chart mark-up. Where something takes the joint out of it, what the linear theory
+/// calls stable is half of the answer. `rests`: what does not slide on stays at rest.
+std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, TakenOut taken = TakenOut::by_nothing,
+                         bool rests = false);
 
 /// Of the design on a map. `rests`: what does not slide on comes to rest for good.
 std::string design_point_text(Region region, double spectral_abscissa, bool rests);

@@ -73,6 +73,11 @@ std::string impossible_inertia_text(const ImpossibleInertia&)
     return "#impossible-inertia";
 }
 
+std::string suspected_unit_text(const SuspectedUnit&)
+{
+    return "#suspected-unit";
+}
+
 std::string beyond_limits_text(const PoseBeyondLimits&)
 {
     return "#beyond-limits";
@@ -153,7 +158,12 @@ std::string contradicted_text(const std::vector<std::string>&, bool)
     return "#contradicted";
 }
 
-std::string verdict_text(const Joint&, const LinearVerdict&, bool, bool)
+TakenOut taken_out(const NonlinearVerdict&)
+{
+    return TakenOut::by_nothing;
+}
+
+std::string verdict_text(const Joint&, const LinearVerdict&, TakenOut, bool)
 {
     return "#verdict";
 }
@@ -214,7 +224,7 @@ std::string rightmost_roots_text()
     return "#rightmost-roots";
 }
 
-std::string gap_left_text(const GapLeft&)
+std::string gap_left_text(const ExportAnswer&)
 {
     return "#gap-left";
 }

@@ -84,7 +84,7 @@ std::vector<double> simulated_sides(std::span<const Joint> joints, const Disturb
     std::vector<const Joint*> loops;
     for (std::size_t i = 0; i < joints.size(); ++i) {
         if (!std::isnan(sides[i])) continue;
-        if (has_real_loop(joints[i]))
+        if (takes_ticks(joints[i]))
             real.push_back(i), loops.push_back(&joints[i]);
         else
             open.push_back(i), undecided_joints.push_back(joints[i]);
@@ -117,7 +117,7 @@ std::vector<double> outcome_sides(const std::vector<Joint>& joints, const Distur
         std::vector<Joint> ideal;
         std::vector<std::size_t> place, left;
         for (const auto i : open)
-            if (has_real_loop(joints[i]))
+            if (takes_ticks(joints[i]))
                 left.push_back(i);
             else
                 place.push_back(i), ideal.push_back(joints[i]);

@@ -8,6 +8,7 @@
 #include "analysis/joint/gains.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace stickslip::gap {
 namespace {
@@ -117,6 +118,22 @@ AuditFinding finding_of(int term, const TermFit& fit, bool factor, const Control
     }
 }
 
+/// How much of the present sample the controller's integral does not count, where that is what a gain is off by: the
+/// file's counts all of it (backward Euler), forward Euler none, the trapezoidal rule half.
+std::optional<double> uncounted_sample(int term, double change, const Control& c)
+{
+    const bool cascade = c.structure == Structure::cascade;
+    if (!is_set(c.period) || term != (cascade ? k_v_term : k_p_term)) return {};
+    const double integral = !cascade                           ? c.k_i
+                            : is_set(c.velocity_integral_gain) ? c.velocity_integral_gain
+                            : is_set(c.velocity_reset_time)    ? c.velocity_gain / c.velocity_reset_time
+                                                               : 0;
+    const double sample = c.period * integral / (cascade ? c.velocity_gain : c.k_p);
+    for (const double part : {1.0, 0.5})
+        if (sample != 0 && std::abs(change / sample + part) < policy::same_sample) return part;
+    return {};
+}
+
 /// The rms of an added term over that of the command.
 double part_of_command(const CommandTerms& all, int term, double value)
 {
@@ -162,7 +179,17 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
         const bool factor = all.factor[i];
         const double size = factor ? std::abs(changed.fit.value[i]) : part_of_command(all, term, changed.fit.value[i]);
         if (size < policy::flagged_gain) continue;
+        const auto uncounted =
+            factor ? uncounted_sample(term, changed.fit.value[i], cases[0].joint.control) : std::nullopt;
         for (auto& c : cases) correct(c.joint.control, term, changed.fit.value[i], factor);
+        if (uncounted) {
+            const Control& now = cases[0].joint.control;
+            const bool cascade = now.structure == Structure::cascade;
+            result.notes.push_back({.code = Note::Code::sample_of_integral,
+                                    .names = {cascade ? "control.velocity_gain" : "control.k_p"},
+                                    .values = {cascade ? now.velocity_gain : now.k_p, *uncounted}});
+            continue;
+        }
         result.findings.push_back(finding_of(term, changed.fit, factor, cases[0].joint.control, gain));
     }
     if (changed.dead_zone != documented.dead_zone) {

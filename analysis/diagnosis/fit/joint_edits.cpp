@@ -91,6 +91,12 @@ double stribeck_peak(const Friction& friction)
     return law ? law->c2 : 0;
 }
 
+double stribeck_velocity(const Friction& friction)
+{
+    const auto* law = std::get_if<Stribeck>(&friction.law);
+    return law ? law->c3 : not_set;
+}
+
 void set_stribeck_peak(Friction& friction, double c2)
 {
     if (auto* law = std::get_if<Stribeck>(&friction.law)) law->c2 = c2;

@@ -16,7 +16,9 @@ void shift_viscous(Friction& friction, double change);
 void set_stribeck(Friction& friction, double c2, double c3, double c4);
 /// The c2 of a law with a Stribeck peak, 0 of others.
 double stribeck_peak(const Friction& friction);
-/// Changes it; a law without a peak stays as it is.
+/// Its c3, NaN of others.
+double stribeck_velocity(const Friction& friction);
+/// Changes c2; a law without a peak stays as it is.
 void set_stribeck_peak(Friction& friction, double c2);
 /// Divides a single mass into motor and link with a spring. This share of its Coulomb level and viscous slope goes to
 /// the link, all other terms of its friction stay with the motor; the load acts on the link.

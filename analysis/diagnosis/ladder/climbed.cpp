@@ -14,7 +14,12 @@ namespace stickslip::gap {
 Ladder LadderSearch::of(const Attribution& known)
 {
     const Eigen::VectorXd x = fitter_->start(known.candidate, {}, known.x[ladder_level]);
-    if (!divides_mass(known.candidate)) return finished(climber_->in_parts(fitter_->fit(known.candidate, x)));
+    if (!divides_mass(known.candidate)) {
+        FittedSet set = climber_->in_parts(fitter_->fit(known.candidate, x));
+        const bool alone = set.causes.effects.size() == 1;
+        auto numbers = alone ? climber_->wrong_numbers(corrected_, *corrections_, false) : std::nullopt;
+        return finished(numbers && nearer_than(set, *numbers) ? std::move(*numbers) : std::move(set));
+    }
     // ten times as slow, and its search has been long
     LevelFit found;
     found.x = x;
@@ -140,10 +145,13 @@ void LadderSearch::try_rivals_in_the_last(Ladder& ladder) const
         const FittedSet& rung = ladder.rungs[i];
         auto& rivals = ladder.rivals[i];
         for (std::size_t k = 0; k < std::min(most, rivals.size()); ++k) {
-            rivals[k].in_the_last.reset();
+            rivals[k].in_the_last.reset(), rivals[k].whole.reset();
             if (rivals[k].misfit < rung.misfit + policy::out_of_question * margin_of(rung, rules_) ||
                 makes_the_motion_of(rung.causes, rivals[k].causes))
-                rivals[k].in_the_last = climber_->misfit_in(ladder.last(), rung.causes, rivals[k]);
+                if (auto whole = climber_->rival_in(ladder.last(), rung.causes, rivals[k])) {
+                    rivals[k].in_the_last = whole->misfit;
+                    if (whole->misfit < infinity) rivals[k].whole = std::make_shared<FittedSet>(std::move(*whole));
+                }
         }
     }
 }

@@ -63,7 +63,8 @@ class Climber {
 
     /// On top of a set the numbers of the document that are further off than documents are, where at least two are, all
     /// fitted at once and held back by nothing: one of them alone beside corrections comes no nearer than an effect
-    /// that imitates them all. `held_back`: only where at least two of the corrections are.
+    /// that imitates them all. `held_back`: only where at least one of the corrections is; what it may not take goes
+    /// into others, which then stay within their bounds.
     std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections,
                                            bool held_back) const;
 
@@ -108,9 +109,9 @@ class Climber {
     /// acts, too.
     std::vector<FittedSet> in_place_of(const FittedSet& set, const Candidate& below) const;
 
-    /// Misfit of a set with the causes of a rival in the place of those of one of its rungs; infinite where it cannot
-    /// be a rung, nothing where the set has them already.
-    std::optional<double> misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival);
+    /// A set with the causes of a rival in the place of those of one of its rungs; its misfit is infinite where it
+    /// cannot be a rung. Nothing where the set has them already.
+    std::optional<FittedSet> rival_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival);
 
   private:
     /// What the stated numbers are where nothing holds them to the document, beside other causes of the set.

@@ -62,7 +62,7 @@ LadderSearch::LadderSearch(const Fit& fit, const std::vector<Attribution>& singl
     auto looks = climber_->looks(corrected_);
     find_small_terms(looks);
     first_ = climber_->judged(looks);
-    wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, true);
+    wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, false);
 }
 
 /// The corrections as they are, fitted alone from the floor of the documented joint on.
@@ -116,7 +116,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
         begin();
         climber_->forget();
         first_ = climber_->judged(climber_->looks(corrected_));
-        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, true);
+        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, false);
         set = climbed(pairs, most_rungs, only_noise);
     }
     // each search leads further down a jagged misfit, and what is half way down leaves too much beside its last cause
@@ -167,6 +167,13 @@ FittedSet LadderSearch::with_an_exchange(FittedSet set)
     return better == others.end() ? set : without_idle(in_best_forms(settled(*better)));
 }
 
+/// Errors of a document need no more proof than a cause that has as many parameters.
+bool LadderSearch::nearer_than(const FittedSet& set, const FittedSet& numbers) const
+{
+    const bool as_simple = numbers.causes.parameter_count() <= set.causes.parameter_count();
+    return numbers.misfit < set.misfit - (as_simple ? 0 : least_gain(numbers, rules_));
+}
+
 FittedSet LadderSearch::with_wrong_numbers(FittedSet set, std::size_t most_rungs) const
 {
     for (std::size_t i = 0; set.causes.effects.size() > 1 && i < set.causes.effects.size(); ++i) {
@@ -176,10 +183,7 @@ FittedSet LadderSearch::with_wrong_numbers(FittedSet set, std::size_t most_rungs
         const bool few = set.causes.count_of(*set.causes.forms[i]) <= most_of_numbers;
         auto other = climber_->wrong_numbers(less, *corrections_, few);
         if (!other || other->causes.effects.size() > most_rungs) continue;
-        // errors of a document need no more proof than a cause that has more parameters
-        const bool simpler = other->causes.parameter_count() < set.causes.parameter_count();
-        if (other->misfit < set.misfit - (simpler ? 0 : least_gain(*other, rules_)))
-            return without_idle(std::move(*other));
+        if (nearer_than(set, *other)) return without_idle(std::move(*other));
     }
     return set;
 }
@@ -209,11 +213,13 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             for (auto& s : climber_->judged(climber_->with_hidden_backlash(first_))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
-        // two numbers of the document take the place of one cause where they are distinguished from it
-        if (const auto best = earning();
-            at_start && wrong_numbers_ &&
-            (best == tried.end() || wrong_numbers_->misfit < best->misfit - least_gain(*wrong_numbers_, rules_)))
-            tried.insert(tried.begin(), *wrong_numbers_);
+        // several numbers of the document take the place of a cause of as many parameters where they come nearer, and
+        // of a simpler one where they are distinguished from it
+        if (at_start && wrong_numbers_) {
+            const auto best = earning();
+            if (best == tried.end() || nearer_than(*best, *wrong_numbers_))
+                tried.insert(tried.begin(), *wrong_numbers_);
+        }
         const auto next = earning();
         const auto other = climber_->without_correction(set, tried);
         if (other && (next == tried.end() || other->misfit < next->misfit))

@@ -49,6 +49,10 @@ struct Rival : FittedSet {
     Rival(FittedSet set) : FittedSet(std::move(set)) {}
     /// Misfit of the last rung with this one's cause in the place of the rung's own, where that was fitted.
     std::optional<double> in_the_last;
+    std::shared_ptr<const FittedSet> whole;  ///< that set, where it can be the answer
+
+    /// What is named if this cause is.
+    const FittedSet& named() const { return whole ? *whole : *this; }
 };
 
 struct Ladder {
@@ -127,6 +131,8 @@ class LadderSearch {
     FittedSet without_idle(FittedSet set) const;
     /// With a cause exchanged for another, if that comes nearer.
     FittedSet with_an_exchange(FittedSet set);
+    /// Whether numbers of the document are nearer than a set of other causes.
+    bool nearer_than(const FittedSet& set, const FittedSet& numbers) const;
     /// With numbers of the document in the place of a cause that only imitates them.
     FittedSet with_wrong_numbers(FittedSet set, std::size_t most_rungs) const;
     FittedSet climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise);

@@ -90,7 +90,7 @@ std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidat
     return others;
 }
 
-std::optional<double> Climber::misfit_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival)
+std::optional<FittedSet> Climber::rival_in(const FittedSet& last, const Candidate& rung, const FittedSet& rival)
 {
     const auto holds = [](const Candidate& c, const Effect* e) { return std::ranges::count(c.effects, e) > 0; };
     Start exchanged;
@@ -105,14 +105,15 @@ std::optional<double> Climber::misfit_in(const FittedSet& last, const Candidate&
     const std::size_t others = exchanged.causes.effects.size();
     take(rival, [&](const Effect* e) { return !holds(rung, e) && !holds(last.causes, e); });
     if (exchanged.causes.effects.size() == others) return std::nullopt;
-    double nearest = infinity;
-    const auto may = [](const FittedSet& s) { return s.plausible && !s.correction; };
+    FittedSet nearest;
+    const auto take_nearer = [&](const FittedSet& set) {
+        if (set.plausible && !set.correction && set.misfit < nearest.misfit) nearest = set;
+    };
     for (const auto& set : pool_)
-        if (set.causes.effects == exchanged.causes.effects && may(set)) nearest = std::min(nearest, set.misfit);
-    if (nearest < infinity) return nearest;
+        if (set.causes.effects == exchanged.causes.effects) take_nearer(set);
+    if (nearest.misfit < infinity) return nearest;
     exchanged.x0 = fitter_.start(exchanged.causes, last, x);
-    for (const auto& set : judged({exchanged}))
-        if (may(set)) nearest = std::min(nearest, set.misfit);
+    for (const auto& set : judged({exchanged})) take_nearer(set);
     return nearest;
 }
 

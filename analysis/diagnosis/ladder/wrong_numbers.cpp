@@ -39,8 +39,7 @@ std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Co
                                                 bool held_back) const
 {
     const auto numbers = numbers_of(below, corrections);
-    const auto bound = static_cast<std::size_t>(std::ranges::count_if(numbers, &Number::at_bound));
-    if (held_back && bound < several) return std::nullopt;
+    if (held_back && std::ranges::none_of(numbers, &Number::at_bound)) return std::nullopt;
     Candidate freed = below.causes;
     freed.records = below.model.candidate.records;
     Eigen::VectorXd x = below.of_causes(below.fit.x);

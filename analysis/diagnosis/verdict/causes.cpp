@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/verdict/sheet_values.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace stickslip::gap {
 Cause cause_of(const Prepared& p, const Attribution& a, double probability, std::size_t corrections)
@@ -15,6 +16,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     if (!c.names.empty())
         for (const auto& f : p.audit.findings)
             c.parameters.push_back({f.parameter, f.value, f.stderr_, std::string(unit_of(f.quantity, units))});
+    c.values = sheet_values_of_findings(p);
     c.probability = probability;
     c.misfit = a.score;
     for (const auto& name : c.names)
@@ -24,7 +26,7 @@ Cause cause_of(const Prepared& p, const Attribution& a, double probability, std:
     const auto quality = quality_of(p.cases, a, p.scales);
     c.signature = quality.signature;
     c.plausible = quality.plausible;
-    c.values = sheet_values(p, a, quality, corrections);
+    std::ranges::move(sheet_values(p, a, quality, corrections), std::back_inserter(c.values));
     const auto si = in_si(a.candidate, a.x[1], p.scales);
     std::size_t i = 0;
     for (std::size_t n = 0; n < a.candidate.effects.size(); ++n) {

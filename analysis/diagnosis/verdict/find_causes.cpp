@@ -6,6 +6,7 @@
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
+#include "analysis/diagnosis/verdict/quality.h"
 #include "analysis/diagnosis/verdict/settle_ladder.h"
 
 #include <algorithm>
@@ -102,9 +103,10 @@ bool document_suffices(LadderSearch& search, const Fit& fit, const std::vector<J
     return true;
 }
 
+/// What explains to within noise with numbers that it cannot have is held against a ladder, as what leaves more is.
 bool accepted(const Decision& d)
 {
-    return d.named && d.winner->accepted;
+    return d.named && d.winner->accepted && plausible_numbers(*d.winner);
 }
 
 }  // namespace

@@ -63,6 +63,8 @@ bool reject_if_not_validated(Diagnosis& d, const Standing& standing)
         if (standing.predicted && simulates_too_little(gap))
             doubt(d, standing, policy::believed_simulated,
                   {.code = Note::Code::doubted_as_a_whole, .values = {gap.explained, floors}});
+        else if (standing.settled && floors > policy::far_from_noise)
+            d.reasons.push_back({.code = Note::Code::adds_up, .values = {floors}});
         return false;
     }
     d.verdict = Verdict::unknown;

@@ -99,9 +99,13 @@ std::vector<RungRival> rivals_of(const JudgedLadder& j)
         const auto odds = odds_of_rivals(j, i);
         const auto own = added_by(j.ladder, i, j.ladder.rungs[i].causes);
         for (std::size_t r = 0; r < odds.size(); ++r) {
-            const FittedSet& set = j.ladder.rivals[i][r];
-            rivals.push_back(
-                {i, &set, odds[r], with_the_others(j, i, set.causes), {own[0], added_by(j.ladder, i, set.causes)[0]}});
+            const Rival& set = j.ladder.rivals[i][r];
+            rivals.push_back({i,
+                              &set,
+                              &set.named(),
+                              odds[r],
+                              with_the_others(j, i, set.causes),
+                              {own[0], added_by(j.ladder, i, set.causes)[0]}});
         }
     }
     return rivals;
@@ -218,7 +222,7 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     };
     for (const auto& rival : rivals_of(j))
         if (rival.rung == 0 || rival.odds >= policy::odds_of_indistinguishable)
-            add(*rival.set, rival.names, all * rival.odds);
+            add(*rival.named, rival.names, all * rival.odds);
     return causes;
 }
 

@@ -18,6 +18,7 @@ std::vector<Cause> causes_of(const Prepared& prepared, const JudgedLadder& judge
 struct RungRival {
     std::size_t rung = 0;
     const FittedSet* set = nullptr;
+    const FittedSet* named = nullptr;               ///< with the other causes of the ladder, where that was fitted
     double odds = 0;                                ///< against the rung
     std::vector<std::string> names;                 ///< all named causes, with the rival's in place of the rung's
     std::pair<std::string, std::string> separates;  ///< the rung's cause and the rival's

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/sheet_values.h"
 
 #include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/verdict/data_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,66 +9,42 @@
 namespace stickslip::gap {
 namespace {
 
-struct SheetNumber {
-    std::string_view effect, key;
-    Quantity quantity;
-    double (*of)(Joint& joint);  ///< one of its own, which stays as it is
-    std::string_view form = {};  ///< empty: every form without a line of its own
-};
-
-constexpr SheetNumber sheet[] = {
-    {"asymmetric-friction", "Coulomb level, positive direction", Quantity::effort,
-     [](Joint& j) { return coulomb_force(main_friction(j)) + main_friction(j).asymmetry.coulomb; }},
-    {"asymmetric-friction", "Coulomb level, negative direction", Quantity::effort,
-     [](Joint& j) { return coulomb_force(main_friction(j)) - main_friction(j).asymmetry.coulomb; }},
-    {"asymmetric-friction", "viscous slope, positive direction", Quantity::damping,
-     [](Joint& j) { return viscous_slope(main_friction(j)) + main_friction(j).asymmetry.viscous; }},
-    {"asymmetric-friction", "viscous slope, negative direction", Quantity::damping,
-     [](Joint& j) { return viscous_slope(main_friction(j)) - main_friction(j).asymmetry.viscous; }},
-    {"coulomb-level", "Coulomb level", Quantity::effort, [](Joint& j) { return coulomb_force(main_friction(j)); }},
-    {"coulomb-level", "Coulomb level on the link", Quantity::effort,
-     [](Joint& j) { return coulomb_force(j.frictions.link); }, "link"},
-    {"coulomb-level", "Coulomb level on the motor", Quantity::effort,
-     [](Joint& j) { return coulomb_force(j.frictions.motor); }, "motor"},
-    {"friction-drift", "Coulomb level at the start", Quantity::effort,
-     [](Joint& j) { return coulomb_force(main_friction(j)); }},
-    {"friction-drift", "Coulomb level in the end", Quantity::effort,
-     [](Joint& j) { return coulomb_force(main_friction(j)) + main_friction(j).drift.change; }},
-    {"viscous", "viscous slope", Quantity::damping, [](Joint& j) { return viscous_slope(main_friction(j)); }},
-    {"viscous", "viscous slope on the link", Quantity::damping,
-     [](Joint& j) { return viscous_slope(j.frictions.link); }, "link"},
-    {"viscous", "viscous slope on the motor", Quantity::damping,
-     [](Joint& j) { return viscous_slope(j.frictions.motor); }, "motor"},
-    {"inertia", "inertia", Quantity::inertia, [](Joint& j) { return j.mechanism.inertia; }},
-    {"inertia", "link inertia", Quantity::inertia, [](Joint& j) { return j.mechanism.link_inertia; }, "link"},
-    {"inertia", "motor inertia", Quantity::inertia, [](Joint& j) { return j.mechanism.motor_inertia; }, "motor"},
-    {"constant-load", "constant load", Quantity::effort, [](Joint& j) { return j.load.constant; }},
-    {"gravity", "gravity amplitude", Quantity::effort, [](Joint& j) { return j.load.gravity_amplitude; }},
-    {"cogging", "cogging amplitude", Quantity::effort, [](Joint& j) { return j.load.cogging.amplitude; }},
-    {"periodic-disturbance", "amplitude of the periodic force", Quantity::effort,
-     [](Joint& j) { return j.load.disturbance.amplitude; }},
-    {"position-dependent-friction", "amplitude over the position", Quantity::effort,
-     [](Joint& j) { return main_friction(j).ripple.amplitude; }},
-};
-
-bool is_about(const SheetNumber& number, const Effect& effect, const EffectForm& form)
-{
-    if (number.effect != effect.name) return false;
-    const bool has_line = std::ranges::any_of(
-        sheet, [&](const SheetNumber& n) { return n.effect == effect.name && !n.form.empty() && n.form == form.name; });
-    return has_line ? number.form == form.name : number.form.empty();
-}
-
 /// Mean over the records, which may differ in numbers of their own.
 double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& candidate, const Eigen::VectorXd& x)
 {
     const auto si = in_si(candidate, x, p.scales);
     double sum = 0;
     for (const auto& c : p.cases) {
-        Joint joint = edited(c.joint, candidate, si, c.number);
-        sum += number.of(joint);
+        Joint joint = edited(c.joint, candidate, si, c.number), documented = c.joint;
+        sum += number.of(joint) / (number.per_documented ? number.of(documented) : 1);
     }
     return sum / static_cast<double>(p.cases.size());
+}
+
+/// Its change by each fitted number.
+Eigen::VectorXd slope_of(const SheetNumber& number, const Prepared& p, const Candidate& c, const Eigen::VectorXd& x)
+{
+    constexpr double small = 1e-4;  // numerical: of the unit in which a parameter is fitted
+    Eigen::VectorXd slope(x.size());
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+        Eigen::VectorXd more = x, less = x;
+        more[k] += small, less[k] -= small;
+        slope[k] = (mean_of(number, p, c, more) - mean_of(number, p, c, less)) / (2 * small);
+    }
+    return slope;
+}
+
+/// Standard error of what has this slope; NaN where that of a fitted number that it depends on is not known.
+double error_along(const Eigen::VectorXd& slope, const Eigen::MatrixXd& covariance)
+{
+    double variance = 0;
+    for (Eigen::Index k = 0; k < slope.size(); ++k)
+        for (Eigen::Index l = 0; l < slope.size(); ++l) {
+            if (slope[k] == 0 || slope[l] == 0) continue;
+            if (!std::isfinite(covariance(k, l))) return not_set;
+            variance += slope[k] * covariance(k, l) * slope[l];
+        }
+    return std::sqrt(std::max(0.0, variance));
 }
 
 }  // namespace
@@ -75,39 +52,30 @@ double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& ca
 std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, const Quality& quality,
                                      std::size_t corrections)
 {
-    constexpr double small = 1e-4;  // numerical: of the unit in which a parameter is fitted
     const Candidate& c = a.candidate;
     const Eigen::VectorXd& x = a.x[ladder_level];
     std::vector<SheetValue> values;
-    for (const auto& number : sheet) {
-        bool changed = false, by_direction = false;
+    for (const auto& number : data_sheet()) {
+        bool changed = false, by_direction = false, read_off = false;
         for (std::size_t i = corrections; i < c.effects.size(); ++i) {
-            changed |= is_about(number, *c.effects[i], *c.forms[i]);
             by_direction |= c.effects[i]->name == "asymmetric-friction";
+            if (!is_about(number, *c.effects[i], *c.forms[i])) continue;
+            changed = true, read_off |= c.effects[i]->read_off;
         }
         const bool both_ways = number.effect == "coulomb-level" || number.effect == "viscous";
         if (!changed || (by_direction && both_ways)) continue;
-        SheetValue v{std::string(number.key),
-                     mean_of(number, p, c, x),
-                     {},
-                     std::string(unit_of(number.quantity, units_of(p.documented[0])))};
-        if (quality.covariance.rows() == x.size()) {
-            Eigen::VectorXd slope(x.size());
-            for (Eigen::Index k = 0; k < x.size(); ++k) {
-                Eigen::VectorXd more = x, less = x;
-                more[k] += small, less[k] -= small;
-                slope[k] = (mean_of(number, p, c, more) - mean_of(number, p, c, less)) / (2 * small);
-            }
-            double variance = 0;
-            bool unknown = slope.isZero();
-            for (Eigen::Index k = 0; k < x.size(); ++k)
-                for (Eigen::Index l = 0; l < x.size(); ++l) {
-                    if (slope[k] == 0 || slope[l] == 0) continue;
-                    unknown = unknown || !std::isfinite(quality.covariance(k, l));
-                    variance += slope[k] * quality.covariance(k, l) * slope[l];
-                }
-            if (!unknown) {
-                const double error = policy::two_sided_95 * std::sqrt(std::max(0.0, variance));
+        SheetValue v{std::string(number.key), mean_of(number, p, c, x), {}, {}};
+        if (!std::isfinite(v.value)) continue;  // a cascade has no k_p of its own
+        if (number.quantity != Quantity::number)
+            v.unit = std::string(unit_of(number.quantity, units_of(p.documented[0])));
+        if (read_off) {
+            v.interval = {v.value, v.value};
+            v.pinned = true;
+        } else if (quality.covariance.rows() == x.size()) {
+            const Eigen::VectorXd slope = slope_of(number, p, c, x);
+            if (slope.isZero()) continue;  // this form leaves it as it is documented
+            const double error = policy::two_sided_95 * error_along(slope, quality.covariance);
+            if (std::isfinite(error)) {
                 v.interval = {v.value - error, v.value + error};
                 v.pinned = error < std::abs(v.value);
             }
@@ -115,6 +83,37 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
         values.push_back(std::move(v));
     }
     return values;
+}
+
+std::vector<SheetValue> sheet_values_of_findings(const Prepared& p)
+{
+    std::vector<SheetValue> values;
+    const Units units = units_of(p.documented[0]);
+    Joint documented = p.documented[0], found = p.cases[0].joint;
+    for (const auto& finding : p.audit.findings) {
+        const auto changed = [&](const SheetNumber& number) {
+            const double now = number.of(found);
+            return number.effect == finding.effect && std::isfinite(now) && now != number.of(documented) &&
+                   std::ranges::count(values, number.key, &SheetValue::key) == 0;
+        };
+        const auto number = std::ranges::find_if(data_sheet(), changed);
+        const bool known = number != data_sheet().end() && !number->per_documented;
+        SheetValue v;
+        v.key = known ? std::string(number->key) : finding.parameter;
+        v.value = known ? number->of(found) : finding.value;
+        const double error = policy::two_sided_95 * finding.stderr_ * std::abs(v.value / finding.value);
+        v.interval = {v.value - error, v.value + error};
+        v.pinned = error < std::abs(v.value);
+        const Quantity quantity = known ? number->quantity : finding.quantity;
+        if (quantity != Quantity::number) v.unit = std::string(unit_of(quantity, units));
+        values.push_back(std::move(v));
+    }
+    return values;
+}
+
+bool has_sheet_value(const Effect& effect, const EffectForm& form)
+{
+    return std::ranges::any_of(data_sheet(), [&](const SheetNumber& number) { return is_about(number, effect, form); });
 }
 
 }  // namespace stickslip::gap

@@ -11,4 +11,10 @@ namespace stickslip::gap {
 std::vector<SheetValue> sheet_values(const Prepared& prepared, const Attribution& attribution, const Quality& quality,
                                      std::size_t corrections);
 
+/// The same of what the audit of the controller and of the readings found.
+std::vector<SheetValue> sheet_values_of_findings(const Prepared& prepared);
+
+/// Whether a cause of this form changes a number that a data sheet has.
+bool has_sheet_value(const Effect& effect, const EffectForm& form);
+
 }  // namespace stickslip::gap

@@ -23,6 +23,7 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     if (std::isfinite(found.size)) verdict.disturbance.size = found.size;
     verdict.outcome = found.reason == Reason::linear_only ? Outcome::linear_only : found.stated.outcome();
     verdict.region = found.region;
+    verdict.noise_suffices = found.noise_suffices;
     verdict.growth_rate = found.growth_rate;
     // sliding that only the encoder or its noise disturbs has no cycle
     const bool slides = found.stated.kind == LoopEnd::Kind::steady && found.region != NonlinearRegion::bistable;

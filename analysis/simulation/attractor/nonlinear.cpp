@@ -228,7 +228,7 @@ std::string NonlinearOptions::problem() const
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
     require_valid(options);
-    if (has_real_loop(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
+    if (takes_ticks(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
     const double V0 = commanded_velocity(joint);
     if (!(V0 < 0)) return verdict_of_flow(joint, options);
     const Chain chain = chain_of(joint);

@@ -3,6 +3,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/simulation/sampled/closed_loop/loop_mode.h"
 #include "analysis/simulation/sampled/closed_loop/loop_start.h"
+#include "analysis/simulation/sampled/unsteady_terms.h"
 #include "analysis/simulation/solvers/trajectory_rows.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
@@ -13,6 +14,7 @@ namespace stickslip {
 namespace {
 
 constexpr double turns = 50, most_turns = 400, shown_cycles = 9;
+constexpr double shown_waves = 3;            ///< of a force that changes with position or time
 constexpr double lead = 14;                  ///< e-folds from a small disturbance to a cycle
 constexpr std::size_t most_steps = 300'000;  ///< each is a row
 
@@ -37,19 +39,6 @@ std::complex<double> rate_of(const Joint& joint, double frame)
     for (int i = 0; i < chain.bodies; ++i) inertia += chain.body[i].inertia;
     return {0, std::sqrt(std::abs(gains_of(joint.control).k_p) / inertia)};
 }
-
-}  // namespace
-
-bool has_unsteady_terms(const Joint& joint)
-{
-    if (joint.control.dither.amplitude > 0) return true;
-    const Chain chain = chain_of(joint);
-    for (int i = 0; i < chain.bodies; ++i)
-        if (has_unsteady_terms(*chain.body[i].friction, joint.load)) return true;
-    return false;
-}
-
-namespace {
 
 void keep_every_second(Trajectory& path)
 {
@@ -96,6 +85,8 @@ Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& questio
         duration = turns * turn;
         if (s.real() > 0) duration = std::clamp(lead / s.real() + 30 * turn, duration, most_turns * turn);
         if (is_set(question.cycle_period)) duration = std::max(duration, shown_cycles * question.cycle_period);
+        const double waves = shown_waves * longest_change(joint);
+        if (waves < static_cast<double>(most_steps) * loop.period()) duration = std::max(duration, waves);
     }
     const auto keep = [&](double t, const double* y, const DrivenJoint& j) {
         const int link = j.link();

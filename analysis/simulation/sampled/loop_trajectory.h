@@ -15,9 +15,6 @@ struct LoopMotionQuestion {
     std::uint64_t seed = 1;  ///< of the noise
 };
 
-/// Whether force or friction change with position or time.
-bool has_unsteady_terms(const Joint& joint);
-
 /// The loop moving at V_0 from balance on, disturbed; every step of the integration.
 Trajectory loop_trajectory(const Joint& joint, const LoopMotionQuestion& question);
 

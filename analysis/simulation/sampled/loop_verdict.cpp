@@ -5,7 +5,7 @@
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
 #include "analysis/simulation/sampled/closed_loop/loop_start.h"
-#include "analysis/simulation/sampled/loop_trajectory.h"
+#include "analysis/simulation/sampled/unsteady_terms.h"
 #include "analysis/simulation/solvers/work.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/steady.h"
@@ -29,6 +29,9 @@ constexpr double neutral_growth = 1e-9;  ///< of |s|: neither growth nor decay
 constexpr double measurable_in_ticks = 1e-5;
 /// Within which a stated disturbance of a neutral joint has to stick: so many turns add a part in a thousand to it.
 constexpr int turns_of_neutral = 100;
+/// Repetitions of what changes with position or time that a motion is followed for at most: three stretches of two that
+/// go on alike, after one more, beside those of a motion on its way.
+constexpr double changes_in_all = 16;
 
 double total_backlash(const Joint& joint)
 {
@@ -87,11 +90,14 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     for (int i = 0; i < chain.bodies; ++i)
         if (info(chain.body[i].friction->law).linear_only) return refused(Reason::linear_only);
     if (const auto why = why_not_driven(joint); why != Detail::none) return refused(Reason::unsupported, why);
-    if (has_unsteady_terms(joint)) return refused(Reason::unsupported, Detail::place_or_time);
+    if (joint.control.dither.amplitude > 0) return refused(Reason::unsupported, Detail::place_or_time);
     if (total_backlash(joint) > 0) return refused(Reason::unsupported, Detail::backlash);
     if (!(joint.control.k_p * joint.actuator.effort_gain > 0)) return refused(Reason::diverges);
     if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < work::ticks_of_dead_time * tick))
         return refused(Reason::not_finite, Detail::no_time_step);
+    // half as many repetitions as the work allows must show what goes on
+    if (!(changes_in_all * longest_change(joint) < static_cast<double>(work::ticks_of_motion) * tick_of(joint)))
+        return refused(Reason::unsupported, Detail::place_or_time);
     if (chatters(joint)) return refused(Reason::no_steady_state, Detail::chatters);
     return {};
 }
@@ -118,6 +124,11 @@ bool has_real_loop(const Joint& joint)
            a.sag_effort < infinity || s.encoder_quantum > 0 || s.position_noise > 0;
 }
 
+bool takes_ticks(const Joint& joint)
+{
+    return has_real_loop(joint) || has_unsteady_terms(joint);
+}
+
 LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, GrowthBy by)
     : joint_(acting_joint(asked)), deflection_(displaced(asked, steady_sliding(asked))), question_(question)
 {
@@ -130,7 +141,7 @@ LoopInquiry::LoopInquiry(const Joint& asked, const LoopQuestion& question, Growt
     const auto& sensor = joint_.sensor;
     LoopOptions real;
     // an encoder or noise disturbs every tick by far more
-    real.motion.rtol = follow_.uneven ? std::max(question.rtol, uneven_rtol) : question.rtol;
+    real.motion.rtol = noise() > 0 ? std::max(question.rtol, uneven_rtol) : question.rtol;
     real.seed = sensor.position_noise > 0 ? question.seed : 0;
     real.readings = false;
     loop_.emplace(asked, frame, frame, LoopSide::joint, real);
@@ -146,7 +157,8 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     LoopOptions smooth;
     smooth.ideal_encoder = true;
     smooth.motion.fixed_step = 1;
-    SampledLoop linear(asked, frame, frame, LoopSide::joint, smooth);
+    const Joint steady = without_changes(asked);
+    SampledLoop linear(steady, frame, frame, LoopSide::joint, smooth);
     const auto refuse = [this](Reason reason, Detail why) {
         verdict_ = refused(reason, why);
         return false;
@@ -157,7 +169,7 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     const bool delayed = linear.motion.joint.has_delayed_friction();
     // the theory has no term for a push by the error
     const bool has_theory = delayed || !joint_.control.feed_forward.by_error();
-    const auto root = has_theory ? real_root(asked) : std::complex<double>(missing, missing);
+    const auto root = has_theory ? real_root(steady) : std::complex<double>(missing, missing);
     const bool by_theory = delayed || leaves_within_tick(root, linear.period());
     mode_ = by_theory ? mode_by_theory(root, linear.period()) : loop_mode(linear);
     verdict_.growth_missing = mode_.why;
@@ -185,10 +197,11 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     options.turn = 2 * std::numbers::pi / (winds_up_slowly() ? spring_rate(joint_) : std::abs(s));
     options.held = held_time(joint_);
     options.stays = low_limit_at_rest(joint_, frame).has_value();
-    options.uneven = joint_.sensor.encoder_quantum > 0 || joint_.sensor.position_noise > 0;
+    options.uneven = noise() > 0 || changes_on_the_way(joint_);
     options.noise = noise();
     // slips swing at the spring's frequency however fast small motions grow
-    if (options.uneven) options.turn = std::max(options.turn, 2 * std::numbers::pi / spring_rate(joint_));
+    if (options.uneven)
+        options.turn = std::max({options.turn, 2 * std::numbers::pi / spring_rate(joint_), longest_change(joint_)});
     return true;
 }
 
@@ -290,6 +303,7 @@ void LoopInquiry::judge_stated()
         verdict_.region = NonlinearRegion::stick_slip;
     } else if (stated.oscillates()) {
         verdict_.region = NonlinearRegion::bistable;
+        verdict_.noise_suffices = follow_.uneven && !is_set(question_.disturbance.size);
     } else if (question_.region) {
         verdict_.searched_from = winds_up_slowly() ? LargerTried::pull_of_spring : LargerTried::pull;
         if (!begin_search(Phase::from_rest) && !begin_search(Phase::pulled)) judge_search({});

@@ -19,8 +19,9 @@ struct LoopVerdict {
     LoopEnd stated;  ///< after the stated disturbance
     LoopEnd cycle;   ///< it, or the one that a larger disturbance reaches
     NonlinearRegion region = NonlinearRegion::undecided;
-    double size = missing;                              ///< of the disturbance, SI
-    double growth_rate = missing;                       ///< 1/s, of a small disturbance, measured
+    bool noise_suffices = false;   ///< the encoder's steps or the noise alone lead into the cycle of a bistable joint
+    double size = missing;         ///< of the disturbance, SI
+    double growth_rate = missing;  ///< 1/s, of a small disturbance, measured
     std::complex<double> multiplier{missing, missing};  ///< of largest magnitude from tick to tick, by simulation
     double tick = missing;                              ///< s
     double overshoot = missing;
@@ -31,6 +32,9 @@ struct LoopVerdict {
 
 /// Whether a joint's file describes a loop other than the ideal one, which continuous equations of motion cover.
 bool has_real_loop(const Joint& joint);
+
+/// Whether only the ticks of its loop follow its motion: forces that change on the way have no flow of their own.
+bool takes_ticks(const Joint& joint);
 
 /// What tells the growth of small disturbances: their motion, or the theory of the linear loop, which is exact there.
 enum class GrowthBy : std::uint8_t { motion, theory };

@@ -63,6 +63,7 @@ std::string import_text(const ImportAnswer& answer, const std::string& robot_fil
                 ? ", its stiffness " + with(d.gravity_stiffness, Quantity::stiffness, units) + ".\n"
                 : ".\n";
     for (const auto& of : answer.impossible) text += "# " + impossible_inertia_text(of) + "\n";
+    for (const auto& of : answer.suspected) text += "# " + suspected_unit_text(of) + "\n";
     for (const auto& of : answer.beyond) text += "# The robot cannot reach this pose: " + beyond_limits_text(of) + "\n";
     text += limits_text(answer.described, units);
     if (answer.described.friction == 0)

@@ -15,7 +15,8 @@ std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
     const bool delayed = a.delay_steps > 0, dc = j.no_load_speed < infinity && !delayed;
     const std::string kind = delayed ? "DelayedPDActuatorCfg" : dc ? "DCMotorCfg" : "ImplicitActuatorCfg";
     std::string text = fmt::format(
-        "# Isaac Lab 2.3 with Isaac Sim 5: friction is an effort [{0}]. In `actuators` of an ArticulationCfg:\n"
+        "# Isaac Lab 2.3 with Isaac Sim 5: friction is an effort [{0}]. For steps of {6:g} s (SimulationCfg.dt).\n"
+        "# In `actuators` of an ArticulationCfg:\n"
         "from isaaclab.actuators import {1}\n\n"
         "actuators = {{\n"
         "    \"{2}\": {1}(\n"
@@ -23,7 +24,8 @@ std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
         "        stiffness={3:.9g},{4}\n"
         "        damping={5:.9g},\n",
         unit_of(Quantity::effort, Units(j.motion)), kind, name, j.k_p,
-        j.ratio != 1 ? fmt::format("  # at the motor's shaft, times N² = {:.9g}", j.ratio * j.ratio) : "", j.k_v);
+        j.ratio != 1 ? fmt::format("  # at the motor's shaft, times N² = {:.9g}", j.ratio * j.ratio) : "", j.k_v,
+        a.timestep);
     if (j.armature > 0) text += fmt::format("        armature={:.9g},\n", j.armature);
     text += fmt::format(
         "        friction={:.9g},  # at rest\n"

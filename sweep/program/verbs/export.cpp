@@ -76,7 +76,7 @@ int export_verb(const Options& options)
     if (!answer.not_expressible.empty()) say("Not in this text:\n");
     for (const auto& n : answer.not_expressible) say("  {}: {}\n", n.key, why(n));
     if (answer.gap_left)
-        say("{}\n", gap_left_text(*answer.gap_left));
+        say("{}\n", gap_left_text(answer));
     else if (!answer.not_expressible.empty())
         say("What that leaves of the gap: add --records FILE… that the diagnosis has not seen\n");
     return exit_done;

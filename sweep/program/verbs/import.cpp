@@ -38,6 +38,15 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
     for (const auto& of : answer.impossible)
         impossible.push_back(
             {{"body", of.body}, {"place", of.place}, {"moments", {of.moments[0], of.moments[1], of.moments[2]}}});
+    auto suspected = nlohmann::ordered_json::array();
+    for (const auto& of : answer.suspected) {
+        const bool length = of.kind == SuspectedUnit::Kind::length;
+        suspected.push_back({{"kind", length ? "length" : "angle"},
+                             {"of", of.of},
+                             {"place", of.place},
+                             {"value", of.value},
+                             {"unit", length ? "m" : "rad"}});
+    }
     auto beyond = nlohmann::ordered_json::array();
     for (const auto& of : answer.beyond)
         beyond.push_back({{"joint", of.joint.name},
@@ -65,6 +74,7 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
               {"effort", finite(j.effort)}}},
             {"gear", j.gear},
             {"impossible_inertias", impossible},
+            {"suspected_units", suspected},
             {"beyond_limits", beyond},
             {"missing", answer.missing}};
 }
@@ -91,6 +101,7 @@ int import_verb(const Options& options)
         write_whole(options.file, text);
     }
     for (const auto& of : answer.impossible) say("note: {}\n", impossible_inertia_text(of));
+    for (const auto& of : answer.suspected) say("note: {}\n", suspected_unit_text(of));
     for (const auto& of : answer.beyond) say("note: {}\n", beyond_limits_text(of));
     for (const auto& path : answer.missing) say("Still to fill in: {} (or --set {}=…)\n", path, path);
     return exit_done;

@@ -34,9 +34,14 @@ std::string change_words(const Margin& m)
 
 }  // namespace
 
-DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region, bool rests)
+DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region,
+                             const NonlinearVerdict& nonlinear)
 {
-    DesignVerdict verdict{region, verdict_text(joint, linear, region == Region::bistable, rests), Tone::good};
+    const bool bistable = region == Region::bistable;
+    const auto taken = bistable && nonlinear.noise_suffices ? TakenOut::by_noise
+                       : bistable                           ? TakenOut::by_larger
+                                                            : TakenOut::by_nothing;
+    DesignVerdict verdict{region, verdict_text(joint, linear, taken, nonlinear.comes_to_rest()), Tone::good};
     if (linear.steady.reason != Reason::none) {
         verdict.tone = Tone::warning;
     } else if (linear.state_variable.neutral) {

@@ -15,9 +15,9 @@ struct DesignVerdict {
     Headline::Tone tone = Headline::Tone::neutral;
 };
 
-/// `region` is that of the results at the design where the sweep simulated its points; `rests`: what does not slide on
-/// stays at rest.
-DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region, bool rests = false);
+/// `region` is that of the results at the design where the sweep simulated its points.
+DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region,
+                             const NonlinearVerdict& nonlinear);
 
 /// Whether a boundary lies within `near_factor` of the design along one parameter.
 bool near_boundary(const std::vector<Margin>& margins);

@@ -105,7 +105,7 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
     report.subtitle = std::string(joint.control.kind == ControlKind::position ? "position control" : "force control") +
                       " · " + (units.motion == Motion::prismatic ? "prismatic" : "revolute") + " joint · " +
                       model_name(joint.mechanism.model);
-    const auto verdict = design_verdict(joint, linear, answer.region, answer.nonlinear.comes_to_rest());
+    const auto verdict = design_verdict(joint, linear, answer.region, answer.nonlinear);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
     if (decided) {

@@ -182,7 +182,7 @@ Report stability_report(const Spec& spec, const SweepSummary& summary, const Swe
                                               : "Where the joint slides smoothly";
     report.subtitle = subtitle(spec, joint, summary.points);
     const bool rests = own.nonlinear.comes_to_rest();
-    const auto verdict = design_verdict(joint, linear, own.region, rests);
+    const auto verdict = design_verdict(joint, linear, own.region, own.nonlinear);
     report.verdict = verdict.text;
     report.tone = verdict.tone;
     tell_limits(spec, summary, answer, report);

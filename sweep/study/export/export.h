@@ -92,7 +92,7 @@ struct SignalLeft {
 };
 
 struct GapLeft {
-    double joint = 0, text = 0;  ///< RMS over the signals, each over its noise floor
+    double joint = 0, text = 0;  ///< RMS over the signals, each over its noise floor, as the diagnosis counts them
     std::vector<SignalLeft> signals;
 };
 

@@ -115,7 +115,8 @@ GapLeft gap_left(const Joint& joint, Simulator to, const ExportOptions& options,
     GapLeft left;
     for (auto& [name, of] : sums) {
         auto& [s, n] = of;
-        left.joint += s.joint / s.floor, left.text += s.text / s.floor;
+        // as the diagnosis counts, whose runs have noise of their own
+        left.joint += (s.joint / s.floor + 1) / 2, left.text += (s.text / s.floor + 1) / 2;
         s.joint = std::sqrt(s.joint / n), s.text = std::sqrt(s.text / n), s.floor = std::sqrt(s.floor / n);
         left.signals.push_back(s);
     }

@@ -14,6 +14,7 @@ ImportAnswer import_joint(const Robot& robot, int joint, const std::vector<doubl
     answer.position = pose[static_cast<std::size_t>(joint)];
     answer.dynamics = axis_dynamics(robot, joint, pose);
     answer.impossible = impossible_inertias(robot, joint);
+    answer.suspected = suspected_units(robot, joint);
     for (const int j : beyond_limits(robot, pose))
         answer.beyond.push_back({robot.joints[static_cast<std::size_t>(j)], pose[static_cast<std::size_t>(j)]});
     const auto& d = answer.dynamics;

@@ -21,6 +21,7 @@ struct ImportAnswer {
     double position = 0;                        ///< of the joint at this pose
     std::vector<std::string> missing;           ///< paths of required numbers that no robot description has
     std::vector<ImpossibleInertia> impossible;  ///< counted as they are described
+    std::vector<SuspectedUnit> suspected;       ///< counted as they are described
     std::vector<PoseBeyondLimits> beyond;       ///< joints that cannot reach this pose
     const RobotClosure* loop =
         nullptr;  ///< what ties the joint to the rest, into the robot: nothing else is then valid

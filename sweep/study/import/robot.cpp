@@ -4,7 +4,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stickslip {
 
@@ -54,6 +56,25 @@ std::vector<ImpossibleInertia> impossible_inertias(const Robot& robot, int joint
         const Eigen::Vector3d& moments = principal.eigenvalues();
         if (moments[2] > (1 + rounding) * (moments[0] + moments[1])) found.push_back({body.name, body.place, moments});
     }
+    return found;
+}
+
+std::vector<SuspectedUnit> suspected_units(const Robot& robot, int joint)
+{
+    constexpr double longest_link = 20;                       // m; booms of the longest arms in space have 7 m
+    constexpr double most_turns = 10 * 2 * std::numbers::pi;  // rad; ±45 in degrees would be 14 turns
+    std::vector<SuspectedUnit> found;
+    for (std::size_t b = 0; b < robot.bodies.size(); ++b) {
+        if (!moves(robot, joint, static_cast<int>(b))) continue;
+        const auto& body = robot.bodies[b];
+        const double gyration = body.mass > 0 ? std::sqrt(body.inertia.trace() / 2 / body.mass) : 0;
+        const double farthest = std::max({body.frame.translation().norm(), body.centre.norm(), gyration});
+        if (farthest > longest_link) found.push_back({SuspectedUnit::Kind::length, body.name, body.place, farthest});
+    }
+    const auto& of = robot.joints[static_cast<std::size_t>(joint)];
+    const double turned = of.high - of.low;
+    if (of.kind == RobotJointKind::hinge && turned > most_turns && std::isfinite(turned))
+        found.push_back({SuspectedUnit::Kind::angle, "joint \"" + of.name + "\"", of.place, turned});
     return found;
 }
 

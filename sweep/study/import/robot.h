@@ -72,6 +72,17 @@ struct ImpossibleInertia {
 /// Of the bodies that a joint moves. Written with few digits, a flat body may be above the sum by their rounding.
 std::vector<ImpossibleInertia> impossible_inertias(const Robot& robot, int joint);
 
+/// A number that no arm has in metres and radians, as descriptions in millimetres and degrees do.
+struct SuspectedUnit {
+    enum class Kind { length, angle };
+    Kind kind = Kind::length;
+    std::string of, place;
+    double value = 0;  ///< m: the farthest of a body; rad: between the limits of a joint
+};
+
+/// Of the bodies that a joint moves, and of its limits.
+std::vector<SuspectedUnit> suspected_units(const Robot& robot, int joint);
+
 /// `pose` has one coordinate a joint.
 AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<double>& pose);
 

@@ -191,6 +191,22 @@ TEST_CASE("a design under a sampled loop holds in that loop, and no gains of a g
     CHECK_THROWS_AS(design_gains(joint, r, test::in_order), std::invalid_argument);
 }
 
+TEST_CASE("a margin that one pair of gains has is not denied", "[design][slow]")
+{
+    // at k_p = 65.8 kN/m and k_v = 419 N·s/m the distance is 0.548, and at 244 kN/m and 756 N·s/m 1.34
+    for (const double margin : {0.5, 0.8}) {
+        auto r = noisy();
+        r.noise.period = 1e-3, r.margin = margin;
+        const auto design = design_gains(ticked_joint(70e3, 1e-3), r, test::in_order);
+        INFO(margin);
+        CHECK(design.feasible);
+        CHECK(design.best.margin > margin - 1e-6);
+        CHECK(design.requirements[0].met);
+        for (const auto& other : design.front)
+            if (other.margin >= margin) CHECK(other.cost >= design.best.cost);
+    }
+}
+
 TEST_CASE("a margin beyond a factor of ten is looked for as far as it is demanded", "[design][slow]")
 {
     // almost no inertia: margin = ln(k_p L/(B − A))/√2, and k_p may grow by e^{√2·4} = 286

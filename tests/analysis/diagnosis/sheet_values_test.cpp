@@ -101,3 +101,50 @@ TEST_CASE("of two masses the sheet tells the inertia that was changed", "[gap]")
         CHECK(v[0].key == std::string(form.name) + " inertia");
     }
 }
+
+TEST_CASE("the sheet has a number for every cause, whatever its form", "[gap]")
+{
+    for (const auto& effect : effects())
+        for (const auto& form : effect.forms) {
+            INFO(effect.name << " " << form.name);
+            CHECK(has_sheet_value(effect, form));
+        }
+}
+
+TEST_CASE("the sheet tells sizes in the units of a data sheet", "[gap]")
+{
+    const auto told = [](const char* name, std::size_t form, const std::vector<double>& numbers) {
+        Prepared p;
+        std::vector<Note> notes;
+        p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
+        p.documented.push_back(p.cases[0].joint);
+        const Effect* e = effect_named(name);
+        Attribution a;
+        a.candidate = {{e}, {&e->forms[form]}, 1};
+        a.x.fill(to_fit(a.candidate, numbers));
+        Quality q;
+        q.covariance = 1e-6 * Eigen::MatrixXd::Identity(a.x[0].size(), a.x[0].size());
+        return std::pair{sheet_values(p, a, q, 0), p.documented[0]};
+    };
+    const auto [late, documented] = told("delay", 0, {4});
+    REQUIRE(late.size() == 1);
+    CHECK(late[0].key == "dead time of the command");
+    CHECK(late[0].value == Approx(documented.control.delay + 4e-3));
+    CHECK(late[0].unit == "s");
+    const auto gain = told("gain-k_p", 0, {1.5}).first;
+    REQUIRE(gain.size() == 1);
+    CHECK(gain[0].value == Approx(1.5 * documented.control.k_p));
+    CHECK(gain[0].unit == "N/m");
+    const auto loose = told("backlash", 0, {0.02, 0.4, 500, 0.3, 0.2}).first;
+    REQUIRE(loose.size() == 1);
+    CHECK(loose[0].value == Approx(0.02));
+    CHECK(loose[0].unit == "m");
+    const auto rubbing = told("load-dependent-friction", 0, {0.14}).first;
+    REQUIRE(rubbing.size() == 1);
+    CHECK(rubbing[0].value == Approx(0.14));
+    CHECK(rubbing[0].unit.empty());
+    const auto coarse = told("quantisation", 0, {1e-3}).first;
+    REQUIRE(coarse.size() == 1);
+    CHECK(coarse[0].pinned);  // the grid on which readings lie is read off
+    CHECK(coarse[0].interval.low == coarse[0].interval.high);
+}

@@ -139,6 +139,29 @@ TEST_CASE("three wrong numbers are no spring, where slow motion hardly shows the
                                       std::vector<std::string>{"inertia", "coulomb-level", "gravity"}));
 }
 
+TEST_CASE("a Coulomb level too low and a viscous slope too high are no Stribeck curve", "[gap][slow]")
+{
+    // over the speeds of a record the friction that is missing falls as a wide peak does
+    Machine m;
+    m.coulomb = 2.8, m.viscous = 0.9, m.noise = 2e-5;
+    const auto d = test::answer(test::nominal_joint(), two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    const auto& named = d.effects[0];
+    for (const auto& name : named.names) UNSCOPED_INFO(name << " " << named.probability);
+    REQUIRE(std::ranges::is_permutation(named.names, std::vector<std::string>{"coulomb-level", "viscous"}));
+    CHECK(value_of(named, "coulomb-level.change") == Approx(0.8).margin(0.05));
+}
+
+TEST_CASE("a small Stribeck peak is no pair of wrong numbers", "[gap][slow]")
+{
+    Machine m;
+    m.peak = 0.5, m.noise = 2e-5;
+    const auto d = test::answer(test::nominal_joint(), two_records(m), in_order).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    for (const auto& name : d.effects[0].names) UNSCOPED_INFO(name << " " << d.effects[0].probability);
+    CHECK(d.effects[0].names == std::vector<std::string>{"stribeck"});
+}
+
 TEST_CASE("gravity that is documented with the wrong sign is named", "[gap][slow]")
 {
     Machine m;

@@ -6,6 +6,7 @@
 #include "analysis/stability/joint_crossings.h"
 #include "analysis/stability/study.h"
 #include "tests/analysis/joint/sample_joints.h"
+#include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
 
@@ -73,4 +74,12 @@ TEST_CASE("the growth rate alone is that of the row of a sweep", "[stability]")
     for (const auto& joint : {lagging, bristled, samples::single_mass(2), samples::two_mass(), samples::nine_states()})
         CHECK(growth_rate(joint) == linear_point(joint).spectral_abscissa);
     CHECK(std::isnan(growth_rate(unset)));
+}
+
+TEST_CASE("the margins of a sampled loop are those of k_p alone, as its window says", "[stability]")
+{
+    const auto study = linear_study(ticked_joint(70e3, 1e-3));
+    // by a monodromy of its own, k_p turned and k_v held; turned together it is 0.939288 and 11.20057
+    CHECK(study.margins.gain_below == Approx(0.937901).epsilon(1e-5));
+    CHECK(study.margins.gain_above == Approx(10.55030).epsilon(1e-5));
 }

@@ -172,6 +172,37 @@ TEST_CASE("import: an inertia that no rigid body has is counted and said")
     CHECK(imported("ixx=\"0.052\" iyy=\"0.052\" izz=\"0.1045\"").impossible.empty());
 }
 
+TEST_CASE("import: a description in millimetres and degrees is counted as written and said")
+{
+    const TemporaryDirectory room;
+    const auto imported = [&](const std::string& text) {
+        const Robot robot = read_robot(written(room, "arm.urdf", text));
+        const int elbow = joint_named(robot, "elbow", "arm.urdf");
+        return import_joint(robot, elbow, std::vector<double>(robot.joints.size(), 0.0));
+    };
+    CHECK(imported(arm_urdf).suspected.empty());
+    const std::string tool =
+        "<link name=\"tool\"><inertial><mass value=\"2\"/><inertia ixx=\"3200\" iyy=\"3200\" "
+        "izz=\"3200\"/></inertial></link><joint name=\"on\" type=\"fixed\"><parent link=\"tip\"/><child "
+        "link=\"tool\"/></joint></robot>";  // kg·mm²: a radius of gyration of 49 mm
+    const auto millimetres = imported(replaced(arm_urdf, "</robot>", tool));
+    REQUIRE(millimetres.suspected.size() == 1);
+    CHECK(millimetres.suspected[0].of == "link \"tool\"");
+    CHECK(millimetres.suspected[0].kind == SuspectedUnit::Kind::length);
+    CHECK(millimetres.suspected[0].value == Approx(std::sqrt(1.5 * 3200 / 2)));
+    CHECK(import_text(millimetres, "arm.urdf", "").find("lengths are in metres") != std::string::npos);
+    Robot robot = read_robot(written(room, "arm.urdf", arm_urdf));
+    const int elbow = joint_named(robot, "elbow", "arm.urdf");
+    auto& limits = robot.joints[static_cast<std::size_t>(elbow)];
+    limits.low = -90, limits.high = 90;
+    const auto degrees = suspected_units(robot, elbow);
+    REQUIRE(degrees.size() == 1);
+    CHECK(degrees[0].kind == SuspectedUnit::Kind::angle);
+    CHECK(degrees[0].value == Approx(180));
+    limits.high = limits.low + 50;
+    CHECK(suspected_units(robot, elbow).empty());
+}
+
 TEST_CASE("import: a pose beyond a joint's limits is said, with the limits")
 {
     const TemporaryDirectory room;

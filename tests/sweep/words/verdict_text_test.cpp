@@ -90,8 +90,12 @@ TEST_CASE("a joint that slides at every gain is said to", "[report]")
     CAPTURE(text);
     CHECK(has(text, "Slides smoothly at 1 mm/s for every k_p > 0."));
     // where a large disturbance ends otherwise, that holds of small ones only
-    text = plain_text(verdict_text(joint, linear_verdict(joint), true));
+    text = plain_text(verdict_text(joint, linear_verdict(joint), TakenOut::by_larger));
     CHECK(has(text, "leads to lasting stick-slip. Small disturbances decay for every k_p > 0."));
+    text = plain_text(verdict_text(joint, linear_verdict(joint), TakenOut::by_noise));
+    CHECK(has(text,
+              "Not smooth: the encoder's steps, noise or forces that change on the way alone bring sliding "
+              "at 1 mm/s into a lasting cycle. Small disturbances decay for every k_p > 0."));
     joint.control.k_p = -1e4;
     text = plain_text(verdict_text(joint, linear_verdict(joint)));
     CHECK(has(text, "is not among the stable gains") == false);

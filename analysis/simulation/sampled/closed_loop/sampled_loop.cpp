@@ -105,12 +105,15 @@ bool SampledLoop::slide(double rate, double reference)
 
 bool SampledLoop::begin_steadily()
 {
-    return slide(frame_reading_, 0);
+    if (!slide(frame_reading_, 0)) return false;
+    if (frame() != 0) motion.joint.contact_origin = motion.y[motion.joint.link()];
+    motion.enter();
+    return true;
 }
 
 bool SampledLoop::begin_slower(double share)
 {
-    if (!slide(frame_reading_, 0)) return false;
+    if (!begin_steadily()) return false;
     const double full = steady_command_;
     if (!slide(std::max(share, slowest) * frame_reading_, 0) && (share != 0 || !slide(frame_reading_, 0))) return false;
     steady_command_ = full;

@@ -24,6 +24,7 @@ constexpr double waits = 0.7;              ///< of the change over a block that 
 constexpr double jump = 0.4;               ///< of ln amplitude
 constexpr double uneven_turns = 0.05;      ///< spread of amplitudes beyond which turns are not alike
 constexpr double same_turn = 1e-3;         ///< to which turns of a period-n motion repeat
+constexpr double same_of_spread = 0.02;    ///< the same, per their spread: ticks cut each of them elsewhere
 constexpr std::size_t longest_repeat = 8;  ///< turns
 constexpr double runaway = 1e9;            ///< of V_0
 constexpr double patience = 60;            ///< turns without a crossing of V_0
@@ -54,10 +55,12 @@ Means means(const std::vector<LoopTurn>& turns, std::size_t skip, std::size_t co
 /// After how many turns amplitudes come back, for each of the newest turns; 0 if they do not.
 int turns_to_repeat(const std::vector<LoopTurn>& turns)
 {
+    if (turns.size() < 4 * 2) return 0;
+    const double same = std::max(same_turn, same_of_spread * means(turns, 0, 4 * 2).spread);
     for (std::size_t n = 2; n <= longest_repeat; ++n) {
         bool repeats = turns.size() >= 4 * n;
         for (std::size_t i = turns.size() - 3 * n; repeats && i < turns.size(); ++i)
-            repeats = std::abs(turns[i].amplitude() / turns[i - n].amplitude() - 1) < same_turn;
+            repeats = std::abs(turns[i].amplitude() / turns[i - n].amplitude() - 1) < same;
         if (repeats) return static_cast<int>(n);
     }
     return 0;
@@ -233,8 +236,12 @@ std::optional<LoopEnd> LoopFollower::decide()
     const bool rests = last.slowest(V0_) < 0.5 * std::abs(V0_);
     const bool like_steady = speed_of(last, V0_) < small_turn && options_.steady_attracts;
     // of the turns before those that were compared nothing is known: they may still have been on their way
-    if (!like_steady && (still || (alternates && (blocks_ > 4 || rests))))
+    if (!like_steady && (still || (alternates && (blocks_ > 4 || rests)))) {
+        // turns that take turns have a mean that stands still
+        if (const int repeats = now.spread > uneven_turns ? turns_to_repeat(turns_) : 0; repeats > 1)
+            return repeated(repeats);
         return measured(LoopEnd::Kind::cycle, still && std::abs(change) > closed ? block : 2 * block);
+    }
     if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread) {
         const int repeats = turns_to_repeat(turns_);
         return repeats > 1 ? repeated(repeats) : measured(LoopEnd::Kind::irregular, 4 * block);

@@ -144,14 +144,18 @@ double DrivenJoint::load(const double* y, double* by_place, double* by_time) con
 {
     const auto& l = joint_.load;
     const double t = now(y), x = y[link()], q = frame_ * t + x;
-    const double contact = joint_.control.contact_stiffness;
     *by_place = -l.gravity_amplitude * std::cos(q + l.gravity_phase);
     if (l.cogging.acts()) *by_place += l.cogging.by_place(q);
     *by_time = frame_ * *by_place;
     const auto& d = l.disturbance;
     if (d.amplitude != 0) *by_time += d.amplitude * d.frequency * std::cos(d.frequency * t + d.phase);
-    *by_place -= contact;
-    return load_force(l, q, t) - contact * x;
+    *by_place -= joint_.control.contact_stiffness;
+    return load_force(l, q, t) - contact_force(y);
+}
+
+double DrivenJoint::contact_force(const double* y) const
+{
+    return joint_.control.contact_stiffness * (y[link()] - contact_origin);
 }
 
 /// What friction must carry, in joint coordinates, for body i to keep its velocity.

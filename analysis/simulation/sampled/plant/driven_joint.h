@@ -33,6 +33,8 @@ class DrivenJoint {
 
     /// What arrives at the actuator from now on.
     double arriving = 0;
+    /// Of the link, in the frame: where the contact spring bears nothing. In steady sliding it goes along.
+    double contact_origin = 0;
     Modes modes{};
 
     int bodies() const { return chain_.bodies; }
@@ -133,6 +135,8 @@ class DrivenJoint {
     Drive drive(const double* y) const;
     double spring(const double* y, int i, double* by_stretch, double* by_rate) const;
     double load(const double* y, double* by_place, double* by_time) const;
+    /// Of the spring between link and surroundings, against the displacement.
+    double contact_force(const double* y) const;
     Extra extra(const double* y, int i) const;
     double gear_level(const double* y, double direction, double other) const;
     double gear_level_at_rest(const double* y, double direction) const;

@@ -40,7 +40,7 @@ DrivenJoint::Steady DrivenJoint::steady(double velocity_asked) const
         const auto theta = steady_state(b.friction, b.ratio * velocity_asked);
         std::copy_n(theta.begin(), b.states, y.data() + b.first_state);
         carried += b.ratio * steady_force(b.friction, b.ratio * velocity_asked);
-        if (i == n - 1) carried -= load(y.data(), &unused, &unused);
+        if (i == n - 1) carried -= load(y.data(), &unused, &unused) + contact_force(y.data());
     }
     const double origin = y[measured_];
     for (int i = 0; i < n; ++i) y[i] -= origin;

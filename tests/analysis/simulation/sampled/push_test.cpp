@@ -5,6 +5,7 @@
 #include "analysis/loop/loop_use.h"
 #include "analysis/simulation/sampled/loop_trajectory.h"
 #include "analysis/simulation/sampled/loop_verdict.h"
+#include "analysis/simulation/sampled/unsteady_terms.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "tests/analysis/simulation/sampled/sampled_joint.h"
 

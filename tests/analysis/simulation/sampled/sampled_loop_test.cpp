@@ -22,13 +22,13 @@ namespace {
 
 /// ln max|z| / T of ticked_joint with whole ticks of dead time: the matrix exponential of mechanism and hold, then the
 /// difference of readings.
-double growth_of(double k_p, int dead_ticks)
+double growth_of(double k_p, int dead_ticks, double contact = 0)
 {
     const double m = 1, A = 1, B = 1.5, L = 1e-5, V = 1e-3, k_v = 10, T = 1e-3;
     // x, v, θ and the held force
     Eigen::Matrix4d F = Eigen::Matrix4d::Zero();
     F(0, 1) = 1;
-    F(1, 1) = -A / V / m, F(1, 2) = -1 / m, F(1, 3) = 1 / m;
+    F(1, 0) = -contact / m, F(1, 1) = -A / V / m, F(1, 2) = -1 / m, F(1, 3) = 1 / m;
     F(2, 1) = -B / L, F(2, 2) = -V / L;
     const Eigen::Matrix4d step = test::exponential(F * T);
     // and the last reading, and commands on their way, newest first
@@ -46,16 +46,18 @@ double growth_of(double k_p, int dead_ticks)
 }
 
 /// Half peak to peak of the joint's motion under Runge and Kutta's method in x, V and θ, 100 steps a tick.
-double amplitude_by_runge_kutta(double k_p, int dead_ticks, double seconds)
+double amplitude_by_runge_kutta(double k_p, int dead_ticks, double seconds, double contact = 0)
 {
     using State = Eigen::Vector3d;
     const double V0 = 1e-3, T = 1e-3;
     double u = 60;
+    const double slides_at = -60 / k_p;
     const auto rate = [&](const State& y) {
         const double log = std::log(y[1] / 1e-3);
-        return State(y[1] - V0, u - (60 + log + y[2]), -y[1] / 1e-5 * (y[2] + 1.5 * log));
+        return State(y[1] - V0, u - contact * (y[0] - slides_at) - (60 + log + y[2]),
+                     -y[1] / 1e-5 * (y[2] + 1.5 * log));
     };
-    State y(-60 / k_p, 1.2e-3, 0);
+    State y(slides_at, 1.2e-3, 0);
     std::deque<double> delayed(static_cast<std::size_t>(dead_ticks), 60.0);
     double before = y[0], low = 1, high = -1;
     for (int k = 0; k < static_cast<int>(seconds / T); ++k) {
@@ -104,6 +106,44 @@ TEST_CASE("sampled loop: small motions grow at the rate of the multipliers", "[s
             CHECK(verdict.growth_rate == Approx(told).epsilon(1e-5));
             CHECK(std::log(std::abs(verdict.multiplier)) / verdict.tick == Approx(told).epsilon(1e-5));
         }
+}
+
+TEST_CASE("sampled loop: a spring to the surroundings bears nothing while the joint slides steadily", "[sampled]")
+{
+    const double contact = 8e3;
+    for (const double k_p : {40e3, 60e3}) {
+        Joint joint = ticked_joint(k_p, 1e-3);
+        joint.control.contact_stiffness = contact;
+        const auto verdict = nonlinear_verdict(joint, {});
+        INFO("k_p " << k_p);
+        CHECK(verdict.growth_rate == Approx(growth_of(k_p, 1, contact)).epsilon(1e-5));
+        CHECK(verdict.growth_rate != Approx(growth_of(k_p, 1)).epsilon(1e-2));
+        REQUIRE(verdict.region == (verdict.growth_rate > 0 ? NonlinearRegion::stick_slip : NonlinearRegion::stable));
+        if (verdict.growth_rate > 0)
+            CHECK(verdict.amplitude == Approx(amplitude_by_runge_kutta(k_p, 1, 4, contact)).epsilon(1e-3));
+    }
+    for (const Model model : {Model::two_mass, Model::three_mass}) {
+        Joint joint = ticked_joint(40e3, 1e-3);
+        auto& m = joint.mechanism;
+        m.model = model, m.motor_inertia = 0.3, m.transmission_inertia = 0.3, m.link_inertia = 0.4;
+        for (auto* spring : {&m.transmission, &m.motor_transmission, &m.transmission_link})
+            spring->stiffness = 3e5, spring->damping = 40;
+        joint.frictions.motor.law = joint.frictions.transmission.law = CoulombViscous{.coulomb = 5, .viscous = 20};
+        joint.frictions.link = joint.friction;
+        joint.control.contact_stiffness = contact;
+        const auto verdict = loop_verdict(joint, {.region = false});
+        INFO("masses " << (model == Model::two_mass ? 2 : 3));
+        CHECK(verdict.growth_rate == Approx(real_growth(joint, false)).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("sampled loop: turns that alternate are a motion of period two", "[sampled][slow]")
+{
+    // by Dormand and Prince's method in every tick: peaks of 5.46 and 20.2 micrometres, 26 and 36 ticks apart
+    const auto verdict = nonlinear_verdict(ticked_joint(402.7e3, 4e-3), {});
+    CHECK(verdict.outcome == Outcome::period_n);
+    CHECK(verdict.repeats == 2);
+    CHECK(verdict.period == Approx(61.4e-3).epsilon(5e-3));
 }
 
 TEST_CASE("sampled loop: elements of friction that slip at their yield force take no part in small motions",

@@ -1,6 +1,8 @@
 // What is left of the gap by what a text holds, against a closed form, and what each simulator can say of each effect.
 #include <catch2/catch.hpp>
 
+#include "analysis/diagnosis/audit/prepare.h"
+#include "analysis/diagnosis/heldout/ensemble.h"
 #include "analysis/diagnosis/plant/simulator.h"
 #include "sweep/files/simulators/simulator_text.h"
 #include "sweep/study/export/effect_targets.h"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <regex>
 
 using namespace stickslip;
@@ -76,6 +79,21 @@ TEST_CASE("export: a load that a simulator lacks leaves its share over the posit
         CHECK(left.joint < 2);
         CHECK(left.text > 100);
     }
+}
+
+TEST_CASE("export: what is left is counted in the diagnosis' multiples of the noise floor")
+{
+    Joint true_joint = damped(), joint = damped();
+    true_joint.load.constant = 4e-3;  // 2e-5 rad of error, twice the noise
+    const Record record = record_of(true_joint);
+    std::vector<Note> notes;
+    const gap::Case c = gap::prepare(record, joint, notes);
+    const double everywhere = std::numeric_limits<double>::infinity();
+    double squares = 0;
+    for (const auto& s : gap::compare(c, joint, 8, -everywhere, everywhere)) squares += s.difference / s.floor / 2;
+    const GapLeft left = gap_left(joint, Simulator::mjcf, {}, {record}, in_order);
+    CHECK(left.joint == Approx(std::sqrt(squares)).epsilon(0.03));
+    CHECK(left.joint > 1.1);
 }
 
 TEST_CASE("export: behind a gear, what is left stands in the units of the record")

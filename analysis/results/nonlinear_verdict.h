@@ -23,9 +23,8 @@ struct NonlinearVerdict {
     Disturbance disturbance;                              ///< with its size in SI
     double growth_rate = missing;                         ///< of a small disturbance of that kind, measured [1/s]
     double amplitude = missing;                           ///< of the cycle: half peak to peak in position [m | rad]
-    double jitter =
-        missing;  ///< by encoder, noise or what changes on the way: half peak to peak of sliding, or scatter of a cycle
-    double period_jitter = missing;                         ///< by encoder or noise: scatter of a cycle's period, s
+    /// By encoder, noise or what changes on the way: half peak to peak of sliding, or scatter of a cycle's amplitude.
+    double jitter = missing;
     double velocity_min = missing, velocity_max = missing;  ///< of the link over the cycle [m/s | rad/s]
     double period = missing;                                ///< s
     double stick_fraction = missing;                        ///< share of the period at rest or below a hundredth of V_0

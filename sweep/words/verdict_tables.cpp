@@ -98,7 +98,6 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     add(jitters ? "least velocity" : "least velocity of the cycle", v.velocity_min, Quantity::velocity);
     add(jitters ? "peak velocity" : "peak velocity of the cycle", v.velocity_max, Quantity::velocity);
     add("period", v.period, Quantity::time);
-    add("standard deviation of that period", v.period_jitter, Quantity::time);
     const auto resting = "share of the period spent " + rest_text(v);
     if (!jitters) add(resting.c_str(), v.stick_fraction, Quantity::number);
     add("overshoot, per steady deflection", v.overshoot, Quantity::number);

@@ -67,6 +67,8 @@ class Climber {
     /// into others, which then stay within their bounds.
     std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections,
                                            bool held_back) const;
+    /// How many of the corrections of a set stand at their bounds.
+    static std::size_t held_back(const FittedSet& set, const Corrections& corrections);
 
     /// Other causes of a set beside a scale of the effort, over which the numbers of the document are what it says but
     /// for those that are wrong by another factor: a torque constant that is off makes all of them wrong by one. The

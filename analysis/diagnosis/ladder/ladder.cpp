@@ -17,6 +17,7 @@ constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tr
 constexpr int most_rounds_of_floor = 5;
 constexpr double settled_floor = 0.02;  // numerical: of mean log square, by which a round must lower it to go on
 
+constexpr std::size_t several = 2;          // numbers of a document
 constexpr std::size_t most_of_numbers = 2;  // parameters of a cause that two wrong numbers are no simpler than
 
 std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
@@ -214,11 +215,12 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         // several numbers of the document take the place of a cause of as many parameters where they come nearer, and
-        // of a simpler one where they are distinguished from it
+        // of a simpler one where they are distinguished from it; of none, where several are held back
         if (at_start && wrong_numbers_) {
             const auto best = earning();
-            if (best == tried.end() || nearer_than(*best, *wrong_numbers_))
-                tried.insert(tried.begin(), *wrong_numbers_);
+            const bool taken = best == tried.end() ? Climber::held_back(corrected_, *corrections_) >= several
+                                                   : nearer_than(*best, *wrong_numbers_);
+            if (taken) tried.insert(tried.begin(), *wrong_numbers_);
         }
         const auto next = earning();
         const auto other = climber_->without_correction(set, tried);

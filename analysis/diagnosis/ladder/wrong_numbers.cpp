@@ -35,6 +35,11 @@ std::vector<Number> numbers_of(const FittedSet& set, const Corrections& correcti
 
 }  // namespace
 
+std::size_t Climber::held_back(const FittedSet& set, const Corrections& corrections)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(numbers_of(set, corrections), &Number::at_bound));
+}
+
 std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Corrections& corrections,
                                                 bool held_back) const
 {

@@ -29,7 +29,6 @@ NonlinearVerdict verdict_of(const LoopVerdict& found, const NonlinearOptions& op
     const bool slides = found.stated.kind == LoopEnd::Kind::steady && found.region != NonlinearRegion::bistable;
     verdict.amplitude = slides ? missing : found.cycle.amplitude;
     verdict.jitter = slides ? found.stated.amplitude : found.cycle.jitter;
-    if (!slides) verdict.period_jitter = found.cycle.period_jitter;
     verdict.velocity_min = found.cycle.velocity_min;
     verdict.velocity_max = found.cycle.velocity_max;
     verdict.period = found.cycle.period;

@@ -76,7 +76,6 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
             {"growth_rate", json_number(v.growth_rate)},
             {"amplitude", json_number(v.amplitude)},
             {"jitter", json_number(v.jitter)},
-            {"period_jitter", json_number(v.period_jitter)},
             {"velocity_min", json_number(v.velocity_min)},
             {"velocity_max", json_number(v.velocity_max)},
             {"period", json_number(v.period)},

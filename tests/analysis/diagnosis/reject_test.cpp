@@ -34,6 +34,9 @@ TEST_CASE("a cause that makes held-out data worse is withdrawn, one that is sett
     CHECK_FALSE(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::gap);
     CHECK(d.effects[0].probability == first_found);
+    REQUIRE(d.reasons.size() == 1);  // it leaves more than 1.5 times the noise floor of whole records
+    CHECK(d.reasons[0] == Note{.code = Note::Code::adds_up, .values = {2.9}});
+    d.reasons.clear();
     d.overall.after = 3.1;
     CHECK(reject_if_not_validated(d, {.settled = true}));
     CHECK(d.verdict == Verdict::unknown);

@@ -38,7 +38,7 @@ TEST_CASE("stiff friction in a slow loop has the multipliers of many digits", "[
         c.k_v = 1, c.V0 = s.V0, c.period = s.period, c.delay = s.delay;
         RateAndState law;
         law.f0 = 60, law.A = s.A, law.V_star = 1e-3;
-        law.B = {s.B}, law.L = {s.L};
+        law.B.push_back(s.B), law.L.push_back(s.L);
         joint.friction.law = law;
         INFO("A T / (V m) = " << s.A * s.period / (s.V0 * s.inertia));
         const auto verdict = linear_verdict(joint);

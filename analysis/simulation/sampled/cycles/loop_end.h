@@ -14,9 +14,8 @@ struct LoopEnd {
     double stick_fraction = missing;
     double amplitude_spread = 0;  ///< from turn to turn, per amplitude: largest less smallest
     double jitter = missing;      ///< of cycles that an encoder or noise disturbs: standard deviation of the amplitude
-    double period_jitter = missing;  ///< the same of the period, s
-    double first_peak = missing;     ///< largest position excess of the first turn
-    double cycle_peak = missing;     ///< the same of the turns that amplitude is taken from, of cycles only
+    double first_peak = missing;  ///< largest position excess of the first turn
+    double cycle_peak = missing;  ///< the same of the turns that amplitude is taken from, of cycles only
     bool reversed = false;
     int turns = 0;           ///< that were followed
     int repeats = 1;         ///< turns after which a period-n motion repeats

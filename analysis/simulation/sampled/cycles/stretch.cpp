@@ -4,17 +4,6 @@
 #include <cmath>
 
 namespace stickslip {
-namespace {
-
-/// Standard deviation of n values by their sums; NaN of fewer than two.
-double deviation(double sum, double squares, int n)
-{
-    if (n < 2) return missing;
-    const double mean = sum / n;
-    return std::sqrt(std::max(0.0, squares / n - mean * mean) * n / (n - 1));
-}
-
-}  // namespace
 
 void Stretch::add(const Stretch& more)
 {
@@ -27,19 +16,14 @@ void Stretch::add(const Stretch& more)
     outer.reversed |= m.reversed;
     ticks += more.ticks, rests += more.rests, rounds += more.rounds;
     sizes += more.sizes, squares += more.squares, changes += more.changes;
-    timed += more.timed, periods += more.periods, period_squares += more.period_squares;
     if (!(first_round == first_round)) first_round = more.first_round;
     if (more.last_round == more.last_round) last_round = more.last_round;
 }
 
 double Stretch::spread() const
 {
-    return deviation(sizes, squares, rounds);
-}
-
-double Stretch::period_spread() const
-{
-    return deviation(periods, period_squares, timed);
+    if (rounds < 2) return missing;
+    return std::sqrt(std::max(0.0, squares / rounds - size() * size()) * rounds / (rounds - 1));
 }
 
 }  // namespace stickslip

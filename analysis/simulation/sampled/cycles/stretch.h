@@ -11,18 +11,15 @@ struct Stretch {
     LoopTurn outer;
     long ticks = 0;
     int rests = 0, rounds = 0;
-    double sizes = 0, squares = 0;           ///< of the rounds' amplitudes: sums of them and of their squares
-    double changes = 0;                      ///< sum of the squares of their changes from round to round
-    int timed = 0;                           ///< rounds whose period is known
-    double periods = 0, period_squares = 0;  ///< sums of these and of their squares, s
+    double sizes = 0, squares = 0;  ///< of the rounds' amplitudes: sums of them and of their squares
+    double changes = 0;             ///< sum of the squares of their changes from round to round
     double first_round = missing, last_round = missing;  ///< s, when they ended
 
     void add(const Stretch& more);
     bool smooth() const { return outer.rest_time == 0 && !outer.reversed; }
     /// Mean amplitude of the rounds, where there are some.
     double size() const { return rounds > 0 ? sizes / rounds : outer.amplitude(); }
-    double spread() const;         ///< standard deviation of the rounds' amplitudes
-    double period_spread() const;  ///< and of their periods
+    double spread() const;  ///< standard deviation of the rounds' amplitudes
 };
 
 }  // namespace stickslip

@@ -25,11 +25,8 @@ constexpr double would_show_in_noise = 1;  ///< the same of small motions that a
 /// Of the growth that small motions have, in either direction: a cycle within 3 % of its amplitude grows by less, since
 /// growth falls with the square of the amplitude. In a long time no more than the latter, of ln amplitude.
 constexpr double still = 0.05, still_in_all = 0.03;
-constexpr double standard_errors = 2;              ///< with which it is known
-constexpr int fewest_rounds = 3;                   ///< of a stretch whose mean amplitude has an error
-constexpr int fewest_timed = 8, most_timed = 100;  ///< rounds of a cycle whose mean period is asked
-constexpr double period_error = 1e-3;              ///< standard error of it, per period
-constexpr long timed_longer = 4;                   ///< times the ticks that it took to come to the cycle, at most
+constexpr double standard_errors = 2;  ///< with which it is known
+constexpr int fewest_rounds = 3;       ///< of a stretch whose mean amplitude has an error
 constexpr double clear_of_noise = 30;  ///< of the noise: amplitude of cycles that it changes by some percent only
 constexpr double integral_folds = 5;   ///< by which an integral has come to its level to a hundredth
 /// Growth of ln amplitude that lifts a disturbance from far below the noise to what it leads to.
@@ -147,26 +144,8 @@ bool UnevenFollow::goes_on(const Three& t, std::size_t count) const
     return out_of_noise() && neither_grows_nor_fades(t, length(2 * count));
 }
 
-/// The mean of the rounds' periods, to a share of it.
-bool UnevenFollow::period_known(const Stretch& s) const
+std::optional<LoopEnd> UnevenFollow::decide() const
 {
-    const double mean = s.periods / s.timed;
-    return s.timed >= fewest_timed && s.period_spread() < period_error * mean * std::sqrt(s.timed);
-}
-
-/// A cycle that the motion has come to, from as many of its rounds as tell its period, or as the work allows.
-std::optional<LoopEnd> UnevenFollow::settled() const
-{
-    const Stretch all = panes_.sum(cycle_from_, panes_.size());
-    const bool enough = all.timed >= most_timed || ticks_ > timed_longer * cycle_ticks_;
-    if (!enough && !period_known(all) && ticks_ < work::ticks_of_motion) return {};
-    const LoopEnd end = measured(all);
-    return end.kind == LoopEnd::Kind::cycle && end.reversed == cycle_->reversed ? end : *cycle_;
-}
-
-std::optional<LoopEnd> UnevenFollow::decide()
-{
-    if (cycle_) return settled();
     const auto n = panes_.size();
     const double patience = turns_held * panes_of_turn + o_.held / length(1);
     if (static_cast<double>(n) > patience) {
@@ -187,11 +166,7 @@ std::optional<LoopEnd> UnevenFollow::decide()
     // stretches of 2, 3, 4, 6, 8, 12, … panes, after one more that the motion has to settle
     for (std::size_t count = 2; 4 * count <= n; count += count % 3 == 0 ? count / 3 : (count + 1) / 2) {
         const Three t = three(count);
-        if (!goes_on(t, count)) continue;
-        const LoopEnd end = measured(t.all);
-        if (end.kind != LoopEnd::Kind::cycle || t.all.rounds < 2) return end;
-        cycle_ = end, cycle_from_ = n - 3 * count, cycle_ticks_ = ticks_;
-        return settled();
+        if (goes_on(t, count)) return measured(t.all);
     }
     return {};
 }
@@ -212,9 +187,6 @@ void UnevenFollow::follow_round(const LoopTurn& tick)
     round.rounds = 1, round.sizes = size, round.squares = size * size;
     if (last_size_ == last_size_) round.changes = (size - last_size_) * (size - last_size_);
     last_size_ = size;
-    if (const double period = time - last_end_; is_set(last_end_))
-        round.timed = 1, round.periods = period, round.period_squares = period * period;
-    last_end_ = time;
     round.first_round = round.last_round = time;
     panes_.newest().add(round);
     rising_ = true, top_ = tick.position_max;
@@ -249,7 +221,6 @@ LoopEnd UnevenFollow::cut_short() const
 {
     LoopEnd open;
     open.reason = Reason::not_converged;
-    if (cycle_) return *cycle_;
     const std::size_t quarter = panes_.size() / 4;
     if (quarter < fewest_panes || !out_of_noise()) return open;
     // the newest pane may be incomplete
@@ -285,7 +256,6 @@ LoopEnd UnevenFollow::measured(const Stretch& s) const
         end.amplitude = s.size(), end.jitter = s.spread();
         end.amplitude_spread = 2 * standard_errors * end.jitter / end.amplitude;
         end.period = (s.last_round - s.first_round) / (s.rounds - 1);
-        end.period_jitter = s.period_spread();
         end.turns = s.rounds;
     } else if (s.rests > 1) {
         end.period = time / s.rests;

@@ -54,9 +54,7 @@ class UnevenFollow {
     bool small_and_linear(std::size_t count) const;
     bool goes_on(const Three& three, std::size_t count) const;
     bool neither_grows_nor_fades(const Three& three, double between) const;
-    std::optional<LoopEnd> decide();
-    bool period_known(const Stretch& stretch) const;
-    std::optional<LoopEnd> settled() const;
+    std::optional<LoopEnd> decide() const;
     void follow_round(const LoopTurn& tick);
     LoopEnd measured(const Stretch& stretch) const;
 
@@ -65,10 +63,7 @@ class UnevenFollow {
     Panes panes_;
     long ticks_ = 0;
     bool slow_ = false;
-    double last_size_ = missing, last_end_ = missing;  ///< of a round; s, when it ended
-    std::optional<LoopEnd> cycle_;                     ///< that it has come to, where it goes on for more of its rounds
-    std::size_t cycle_from_ = 0;                       ///< the first pane of it
-    long cycle_ticks_ = 0;                             ///< that it took to come to it
+    double last_size_ = missing;  ///< of a round
     bool rising_ = true;
     double top_ = -infinity, bottom_ = infinity,
            turns_back_ = infinity;  ///< by which a position turns that ends a round

@@ -4,10 +4,8 @@
 
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/sampled/cycles/uneven_follow.h"
-#include "analysis/simulation/sampled/loop_record.h"
 #include "tests/analysis/simulation/joints.h"
 
-#include <algorithm>
 #include <random>
 
 using namespace stickslip;
@@ -108,45 +106,6 @@ TEST_CASE("uneven loop: slow motions of a geared elbow are decided", "[sampled][
         CHECK(verdict.outcome == Outcome::stable_sliding);
         CHECK(verdict.region == NonlinearRegion::stable);
     }
-}
-
-TEST_CASE("uneven loop: the period of quantised stick-slip is that of its record, with its scatter", "[sampled]")
-{
-    Joint joint;
-    joint.mechanism.inertia = 0.01698;
-    auto& c = joint.control;
-    c.k_p = 5, c.k_v = 0.2061, c.V0 = 0.0158, c.period = 5e-4, c.delay = 1e-3;
-    c.velocity_estimate.form = EstimateForm::backward_difference, c.velocity_estimate.tau = 1e-3;
-    joint.friction.law = Stribeck{0.03056, 0.09671, 0.009651, 0.01294, 2};
-    joint.sensor.encoder_quantum = 2.37e-5;
-    const auto verdict = nonlinear_verdict(joint, {});
-    REQUIRE(verdict.region == NonlinearRegion::stick_slip);
-    // the record of a ramp, long after its start: once a cycle it falls behind the ramp by more than half of the swing
-    ReferenceMotion ramp;
-    for (int i = 0; i <= 120'000; ++i) {
-        ramp.time.push_back(c.period * i);
-        ramp.position.push_back(c.V0 * ramp.time.back());
-    }
-    const auto record = record_along(joint, ramp, 0);
-    std::vector<double> excess;
-    for (std::size_t i = 20'000; i < record.time.size(); ++i)
-        excess.push_back(record.position[i] - record.reference_position[i]);
-    const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
-    const double middle = 0.5 * (*least + *most), apart = 0.2 * (*most - *least);
-    std::vector<double> falls;
-    bool above = false;
-    for (std::size_t i = 0; i < excess.size(); ++i) {
-        if (excess[i] > middle + apart) above = true;
-        if (above && excess[i] < middle - apart) above = false, falls.push_back(c.period * static_cast<double>(i));
-    }
-    REQUIRE(falls.size() > 50);
-    const double n = static_cast<double>(falls.size() - 1), mean = (falls.back() - falls.front()) / n;
-    double squares = 0;
-    for (std::size_t i = 1; i < falls.size(); ++i) squares += std::pow(falls[i] - falls[i - 1] - mean, 2);
-    CHECK(verdict.period == Approx(mean).epsilon(3e-3));
-    REQUIRE(is_set(verdict.period_jitter));
-    CHECK(verdict.period_jitter < 3 * std::sqrt(squares / n) + c.period);
-    CHECK(verdict.period_jitter > std::sqrt(squares / n) / 3 - c.period);
 }
 
 TEST_CASE("uneven loop: a motion ends where it neither grows nor fades", "[sampled]")

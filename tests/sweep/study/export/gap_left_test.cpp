@@ -90,9 +90,9 @@ TEST_CASE("export: what is left is counted in the diagnosis' multiples of the no
     const gap::Case c = gap::prepare(record, joint, notes);
     const double everywhere = std::numeric_limits<double>::infinity();
     double squares = 0;
-    for (const auto& s : gap::compare(c, joint, 8, -everywhere, everywhere)) squares += s.difference / s.floor / 2;
+    for (const auto& s : gap::compare(c, joint, 40, -everywhere, everywhere)) squares += s.difference / s.floor / 2;
     const GapLeft left = gap_left(joint, Simulator::mjcf, {}, {record}, in_order);
-    CHECK(left.joint == Approx(std::sqrt(squares)).epsilon(0.03));
+    CHECK(left.joint == Approx(std::sqrt(squares)).epsilon(0.05));
     CHECK(left.joint > 1.1);
 }
 

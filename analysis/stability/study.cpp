@@ -73,6 +73,19 @@ bool known_at_one_velocity(const Joint& joint)
     return false;
 }
 
+namespace {
+
+/// Factors of k_p alone, in the place of those of all gains together.
+void take_gain_alone(double k_p, const StableGains& gains, LoopMargins& margins)
+{
+    if (!gains.known || !(k_p > 0)) return;
+    for (const auto& window : gains.stable)
+        if (window.low < k_p && k_p < window.high)
+            margins.gain_below = std::max(0.0, window.low / k_p), margins.gain_above = window.high / k_p;
+}
+
+}  // namespace
+
 LinearStudy linear_study(const Joint& given)
 {
     // a cascade that is no sum of gains has no k_v of its own to turn: what does so is missing
@@ -96,12 +109,7 @@ LinearStudy linear_study(const Joint& given)
         study.margins = loop_margins(linear, gains.crossings);
     } else if (const auto margins = real_margins(joint); growth_rate(joint) < 0) {
         study.margins = {margins.gain_below, margins.gain_above, margins.lag, margins.crossover};
-        // those are of all gains together
-        const double k_p = joint.control.k_p;
-        for (const auto& window : gains.known&& turns_gains ? gains.stable : std::vector<Interval>{})
-            if (k_p > 0 && window.low < k_p && k_p < window.high)
-                study.margins.gain_below = std::max(0.0, window.low / k_p),
-                study.margins.gain_above = window.high / k_p;
+        if (turns_gains) take_gain_alone(joint.control.k_p, gains, study.margins);
     }
     if (!known_at_one_velocity(joint)) {
         const bool back = steady.velocity < 0;

@@ -16,9 +16,10 @@ Ladder LadderSearch::of(const Attribution& known)
     const Eigen::VectorXd x = fitter_->start(known.candidate, {}, known.x[ladder_level]);
     if (!divides_mass(known.candidate)) {
         FittedSet set = climber_->in_parts(fitter_->fit(known.candidate, x));
-        const bool alone = set.causes.effects.size() == 1;
-        auto numbers = alone ? climber_->wrong_numbers(corrected_, *corrections_, false) : std::nullopt;
-        return finished(numbers && nearer_than(set, *numbers) ? std::move(*numbers) : std::move(set));
+        if (set.causes.effects.size() > 1) return finished(std::move(set));
+        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, false);
+        auto numbers = nearer_numbers(&set);
+        return finished(numbers ? std::move(*numbers) : std::move(set));
     }
     // ten times as slow, and its search has been long
     LevelFit found;

@@ -17,9 +17,6 @@ constexpr std::size_t known_pairs = 3;  // of a search of their own, that are tr
 constexpr int most_rounds_of_floor = 5;
 constexpr double settled_floor = 0.02;  // numerical: of mean log square, by which a round must lower it to go on
 
-constexpr std::size_t several = 2;          // numbers of a document
-constexpr std::size_t most_of_numbers = 2;  // parameters of a cause that two wrong numbers are no simpler than
-
 std::vector<Start> known_sets(const std::vector<Attribution>& pairs, const SetFitter& fitter, const FittedSet& below)
 {
     std::vector<Start> known;
@@ -168,27 +165,6 @@ FittedSet LadderSearch::with_an_exchange(FittedSet set)
     return better == others.end() ? set : without_idle(in_best_forms(settled(*better)));
 }
 
-/// Errors of a document need no more proof than a cause that has as many parameters.
-bool LadderSearch::nearer_than(const FittedSet& set, const FittedSet& numbers) const
-{
-    const bool as_simple = numbers.causes.parameter_count() <= set.causes.parameter_count();
-    return numbers.misfit < set.misfit - (as_simple ? 0 : least_gain(numbers, rules_));
-}
-
-FittedSet LadderSearch::with_wrong_numbers(FittedSet set, std::size_t most_rungs) const
-{
-    for (std::size_t i = 0; set.causes.effects.size() > 1 && i < set.causes.effects.size(); ++i) {
-        if (corrections_->same_number(*set.causes.effects[i], *set.causes.forms[i])) continue;
-        const auto less = climber_->without(set, i);
-        // without a cause of many parameters numbers may take each other's place and be held back by nothing
-        const bool few = set.causes.count_of(*set.causes.forms[i]) <= most_of_numbers;
-        auto other = climber_->wrong_numbers(less, *corrections_, few);
-        if (!other || other->causes.effects.size() > most_rungs) continue;
-        if (nearer_than(set, *other)) return without_idle(std::move(*other));
-    }
-    return set;
-}
-
 FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs,
                                 const OnlyNoise& only_noise)
 {
@@ -214,14 +190,9 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
             for (auto& s : climber_->judged(climber_->with_hidden_backlash(first_))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
-        // several numbers of the document take the place of a cause of as many parameters where they come nearer, and
-        // of a simpler one where they are distinguished from it; of none, where several are held back
-        if (at_start && wrong_numbers_) {
-            const auto best = earning();
-            const bool taken = best == tried.end() ? Climber::held_back(corrected_, *corrections_) >= several
-                                                   : nearer_than(*best, *wrong_numbers_);
-            if (taken) tried.insert(tried.begin(), *wrong_numbers_);
-        }
+        if (at_start)
+            if (const auto best = earning(); auto numbers = nearer_numbers(best == tried.end() ? nullptr : &*best))
+                tried.insert(tried.begin(), std::move(*numbers));
         const auto next = earning();
         const auto other = climber_->without_correction(set, tried);
         if (other && (next == tried.end() || other->misfit < next->misfit))

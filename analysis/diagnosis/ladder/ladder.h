@@ -133,6 +133,8 @@ class LadderSearch {
     FittedSet with_an_exchange(FittedSet set);
     /// Whether numbers of the document are nearer than a set of other causes.
     bool nearer_than(const FittedSet& set, const FittedSet& numbers) const;
+    /// Several wrong numbers in the place of a cause, or of none, where they are nearer.
+    std::optional<FittedSet> nearer_numbers(const FittedSet* than) const;
     /// With numbers of the document in the place of a cause that only imitates them.
     FittedSet with_wrong_numbers(FittedSet set, std::size_t most_rungs) const;
     FittedSet climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise);

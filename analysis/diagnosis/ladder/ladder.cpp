@@ -202,6 +202,12 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         else
             break;
         set = with_an_exchange(climber_->in_parts(without_idle(std::move(set))));
+        // what of several numbers is left alone is compared with what was tried as one
+        if (at_start && set.causes.effects.size() == 1 && next != tried.end() && next->causes.effects.size() > 1)
+            if (const auto alone =
+                    std::ranges::find_if(tried, [&](const auto& t) { return t.causes.effects == set.causes.effects; });
+                alone != tried.end())
+                set = in_best_forms(nearest_of(tried, *alone));
         // a second search may lead further down a jagged misfit; one that ends at the same causes again does not
         if (std::ranges::count(ends, set.causes.effects) > 0) break;
         ends.push_back(set.causes.effects);

@@ -6,7 +6,6 @@
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
-#include "analysis/diagnosis/verdict/quality.h"
 #include "analysis/diagnosis/verdict/settle_ladder.h"
 
 #include <algorithm>
@@ -103,10 +102,9 @@ bool document_suffices(LadderSearch& search, const Fit& fit, const std::vector<J
     return true;
 }
 
-/// What explains to within noise with numbers that it cannot have is held against a ladder, as what leaves more is.
 bool accepted(const Decision& d)
 {
-    return d.named && d.winner->accepted && plausible_numbers(*d.winner);
+    return d.named && d.winner->accepted;
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ std::string detail_text(Detail detail)
             return "backlash in a transmission leaves no steady sliding to disturb";
         case Detail::place_or_time:
             return "a force or friction that changes with position or time does not repeat, or so slowly that the "
-                   "motion "
-                   "cannot be followed until it does; simulate shows the motion";
+                   "motion cannot be followed until it does; simulate shows the motion";
         case Detail::chatters:
             return "the push towards the set point jumps by more than the friction of steady sliding: the joint "
                    "chatters about its reference";

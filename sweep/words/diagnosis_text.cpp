@@ -111,8 +111,7 @@ constexpr Sentence sentences[] = {
     {Code::sample_of_integral,
      "the controller's integral counts {share1} of the present sample less than the joint file means (forward Euler "
      "counts none of it, the trapezoidal rule half): nothing is wrong with the machine; with {names} = {0:.6g} the "
-     "joint "
-     "file means this controller"},
+     "joint file means this controller"},
     {Code::within_noise, "the nominal joint predicts every record to within noise"},
     {Code::nothing_would_show, "under this excitation no effect of usual size exceeds five times the noise"},
     {Code::controller_and_rest,
@@ -169,8 +168,7 @@ constexpr Sentence sentences[] = {
      "{1:.1f} times the noise floor: another cause is as likely"},
     {Code::adds_up,
      "simulated as a whole along their references, the records stay {0:.2g} times the noise floor away: what is too "
-     "small "
-     "to see from row to row adds up"},
+     "small to see from row to row adds up"},
     {Code::far_as_a_whole,
      "predicted from row to row the nominal joint stays within the noise, but simulated as a whole along its reference "
      "it is {0:.1f} times the noise floor away: reference or controller are not what file and log say, or the rows are "

@@ -118,9 +118,9 @@ std::string other_theory(const Joint& joint, const LinearVerdict& v)
 
 }  // namespace
 
-TakenOut taken_out(const NonlinearVerdict& verdict)
+TakenOut taken_out(bool bistable, const NonlinearVerdict& verdict)
 {
-    if (verdict.region != NonlinearRegion::bistable) return TakenOut::by_nothing;
+    if (!bistable) return TakenOut::by_nothing;
     return verdict.noise_suffices ? TakenOut::by_noise : TakenOut::by_larger;
 }
 

@@ -10,7 +10,7 @@ namespace stickslip {
 
 /// What takes a joint out of sliding whose small disturbances decay.
 enum class TakenOut { by_nothing, by_larger, by_noise };
-TakenOut taken_out(const NonlinearVerdict& verdict);
+TakenOut taken_out(bool bistable, const NonlinearVerdict& verdict);
 
 /// The answer in one sentence, in chart mark-up. Where something takes the joint out of it, what the linear theory
 /// calls stable is half of the answer. `rests`: what does not slide on stays at rest.

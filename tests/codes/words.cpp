@@ -158,7 +158,7 @@ std::string contradicted_text(const std::vector<std::string>&, bool)
     return "#contradicted";
 }
 
-TakenOut taken_out(const NonlinearVerdict&)
+TakenOut taken_out(bool, const NonlinearVerdict&)
 {
     return TakenOut::by_nothing;
 }

@@ -67,6 +67,8 @@ class Climber {
     /// into others, which then stay within their bounds.
     std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections,
                                            bool held_back) const;
+    /// Numbers of a document: one is a cause like any other, and is tried as one.
+    static constexpr std::size_t several = 2;
     /// How many of the corrections of a set stand at their bounds.
     static std::size_t held_back(const FittedSet& set, const Corrections& corrections);
 

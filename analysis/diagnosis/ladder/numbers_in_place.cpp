@@ -6,7 +6,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t several = 2;          // numbers of a document
 constexpr std::size_t most_of_numbers = 2;  // parameters of a cause that two wrong numbers are no simpler than
 
 }  // namespace
@@ -25,10 +24,10 @@ std::optional<FittedSet> LadderSearch::nearer_numbers(const FittedSet* than) con
 {
     if (!wrong_numbers_) return std::nullopt;
     const bool as_simple = than && wrong_numbers_->causes.parameter_count() <= than->causes.parameter_count();
-    if (!as_simple && Climber::held_back(corrected_, *corrections_) < several) return std::nullopt;
+    if (!as_simple && Climber::held_back(corrected_, *corrections_) < Climber::several) return std::nullopt;
     if (than && !nearer_than(*than, *wrong_numbers_)) return std::nullopt;
     FittedSet numbers = without_idle(*wrong_numbers_);
-    if (numbers.causes.effects.size() < several) return std::nullopt;
+    if (numbers.causes.effects.size() < Climber::several) return std::nullopt;
     return numbers;
 }
 

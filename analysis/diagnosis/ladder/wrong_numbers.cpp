@@ -7,8 +7,6 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::size_t several = 2;  // one is a cause like any other, and is tried as one
-
 /// A number of the document that a correction changes, as the effect of the catalogue that changes it.
 struct Number {
     const Effect* effect;

@@ -95,7 +95,6 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     if (!(joint.control.k_p * joint.actuator.effort_gain > 0)) return refused(Reason::diverges);
     if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < work::ticks_of_dead_time * tick))
         return refused(Reason::not_finite, Detail::no_time_step);
-    // half as many repetitions as the work allows must show what goes on
     if (!(changes_in_all * longest_change(joint) < static_cast<double>(work::ticks_of_motion) * tick_of(joint)))
         return refused(Reason::unsupported, Detail::place_or_time);
     if (chatters(joint)) return refused(Reason::no_steady_state, Detail::chatters);

@@ -19,7 +19,7 @@ struct LoopVerdict {
     LoopEnd stated;  ///< after the stated disturbance
     LoopEnd cycle;   ///< it, or the one that a larger disturbance reaches
     NonlinearRegion region = NonlinearRegion::undecided;
-    bool noise_suffices = false;   ///< the encoder's steps or the noise alone lead into the cycle of a bistable joint
+    bool noise_suffices = false;   ///< what disturbs the loop all the time leads into the cycle of a bistable joint
     double size = missing;         ///< of the disturbance, SI
     double growth_rate = missing;  ///< 1/s, of a small disturbance, measured
     std::complex<double> multiplier{missing, missing};  ///< of largest magnitude from tick to tick, by simulation

@@ -33,7 +33,7 @@ double longest_change(const Joint& joint)
 {
     const auto& load = joint.load;
     const double speed = std::abs(sliding_velocity(joint));
-    double longest = joint.control.dither.amplitude > 0 ? 1 / joint.control.dither.frequency : 0;
+    double longest = joint.control.dither.amplitude > 0 ? turn / joint.control.dither.frequency : 0;
     if (load.gravity_amplitude != 0) longest = std::max(longest, turn / speed);
     if (load.cogging.acts()) longest = std::max(longest, turn / (load.cogging.periods * speed));
     if (load.disturbance.amplitude != 0) longest = std::max(longest, turn / load.disturbance.frequency);

@@ -56,8 +56,8 @@ void print_text(const JointEvaluation& e, const std::string& servo)
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
         if (!e.contradicting.empty())
             fmt::print("{}\n", contradicted_text(e.contradicting, e.verdict.state_variable.stable));
-        const auto verdict =
-            plain_text(verdict_text(e.summed, e.verdict, taken_out(e.nonlinear), e.nonlinear.comes_to_rest()));
+        const auto taken = taken_out(e.nonlinear.region == NonlinearRegion::bistable, e.nonlinear);
+        const auto verdict = plain_text(verdict_text(e.summed, e.verdict, taken, e.nonlinear.comes_to_rest()));
         fmt::print("{}\n", e.left_out ? of_ideal_loop(verdict) : verdict);
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));

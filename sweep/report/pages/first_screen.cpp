@@ -37,10 +37,7 @@ std::string change_words(const Margin& m)
 DesignVerdict design_verdict(const Joint& joint, const LinearVerdict& linear, Region region,
                              const NonlinearVerdict& nonlinear)
 {
-    const bool bistable = region == Region::bistable;
-    const auto taken = bistable && nonlinear.noise_suffices ? TakenOut::by_noise
-                       : bistable                           ? TakenOut::by_larger
-                                                            : TakenOut::by_nothing;
+    const auto taken = taken_out(region == Region::bistable, nonlinear);
     DesignVerdict verdict{region, verdict_text(joint, linear, taken, nonlinear.comes_to_rest()), Tone::good};
     if (linear.steady.reason != Reason::none) {
         verdict.tone = Tone::warning;

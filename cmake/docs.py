@@ -3,7 +3,7 @@
 Run: docs.py write|check PROGRAM, docs.py site PROGRAM FOLDER
 
 reference.md: what the program says of its keys (stickslip list keys --markdown), then every field of its JSON answers from
-docs/schema. method.md: every threshold of analysis/diagnosis/policy/policy.h with the comment that gives its reason. site: a copy of docs/ in FOLDER/docs with the
+docs/schema. method.md: every threshold of analysis/diagnosis/policy/ with the comment that gives its reason. site: a copy of docs/ in FOLDER/docs with the
 pictures that the program draws for it and the notebooks as pages, and FOLDER/site where mkdocs is installed.
 """
 import json
@@ -23,7 +23,6 @@ import house_policy
 
 ROOT = pathlib.Path(__file__).parent.parent
 MADE = "<!-- Made by `cmake --build build --target docs_text`; a change here is overwritten. -->\n\n"
-POLICY = "analysis/diagnosis/policy/policy.h"
 LIMITS = "analysis/base/work_limits.h"
 SCHEMAS = ("evaluate", "sweep-run", "boundary", "margins", "design", "baseline", "diagnosis", "robot-diagnosis",
            "gap-baseline", "gap-check", "comparison", "timeline", "set-point-design", "plan", "motion", "import", "export",
@@ -172,25 +171,32 @@ def reasoned(comment):
     return what.strip() if rest else "", why[:1].upper() + why[1:], said[:1].upper() + said[1:]
 
 
-def method():
-    source = (ROOT / POLICY).read_text(encoding="utf-8")
-    counts, without = house_policy.kinds(source.splitlines())
-    text = MADE + METHOD.format(policy=POLICY, all=sum(counts.values()), evidence=counts["evidence"], none=counts["none yet"],
-                                definition=counts["definition"], numerical=counts["numerical"],
-                                without=", ".join(f"`{name}`" for name in without))
-    single = []
+def tables_of(header):
+    """What a header of the policy decides, and a table of its single thresholds before those of its lists."""
+    source = header.read_text(encoding="utf-8")
+    what = " ".join(line[3:] for line in source.split("#pragma")[0].splitlines())
+    lists, single = "", []
     for comment, statement in declarations(source):
         name = re.search(r"(\w+)\s*(?:=|\{)", re.sub(r"inline constexpr (?:std::)?", "", statement, count=1)).group(1)
         ranges, fields = list(rows_of_ranges(statement)), list(rows_of_fields(statement))
-        title = f"\n## {name.replace('_', ' ')}\n\n" + (comment + "\n\n" if comment else "")
+        title = f"\n### {name.replace('_', ' ').capitalize()}\n\n" + (comment + "\n\n" if comment else "")
         if ranges:
-            text += title + row("Parameter", "Least", "Most", "Counted in", "Reason", "Evidence") + row(*["---"] * 6)
-            text += "".join(row(*entry) for entry in ranges)
+            lists += title + row("Parameter", "Least", "Most", "Counted in", "Reason", "Evidence") + row(*["---"] * 6)
+            lists += "".join(row(*entry) for entry in ranges)
         elif fields:
-            text += title + table_of((values, words) for values, words in fields if words)
+            lists += title + table_of((values, words) for values, words in fields if words)
         else:
             single.append((constants(statement), comment))
-    text += "\n## Single thresholds\n\n" + table_of(single)
+    return f"\n## {header.stem.replace('_', ' ').capitalize()}\n\n{what}\n\n" + table_of(single) + lists
+
+
+def method():
+    headers = house_policy.headers(ROOT)
+    counts, without = house_policy.kinds([line for path in headers for line in path.read_text(encoding="utf-8").splitlines()])
+    text = MADE + METHOD.format(policy=house_policy.POLICY + "/", all=sum(counts.values()), evidence=counts["evidence"],
+                                none=counts["none yet"], definition=counts["definition"], numerical=counts["numerical"],
+                                without=", ".join(f"`{name}`" for name in without))
+    text += "".join(map(tables_of, headers))
     limits = declarations((ROOT / LIMITS).read_text(encoding="utf-8"))
     return text + LIMITS_HEAD.format(limits=LIMITS) + table_of(((constants(s), comment) for comment, s in limits), "decides no answer")
 

@@ -111,7 +111,7 @@ def comment_complaints():
                 yield f"{path}:{number}: cites {name}, which is no document of this repository"
 
 
-# What decides an answer of the diagnosis has a name, a reason and its evidence in one file.
+# What decides an answer of the diagnosis has a name, a reason and its evidence in one room.
 POLICY = house_policy.POLICY
 DECIMAL = r"\d+(?:\.\d+(?:e[-+]?\d+)?|e[-+]?\d+)"
 COMPARED = re.compile(rf"(?:[<>]=?|[!=]=)\s*-?(?:[\w.:\[\]()]+ \* )?{DECIMAL}\b|\b{DECIMAL}(?: \* [\w.:\[\]()]+)?\s*(?:[<>]=?|[!=]=)")
@@ -134,7 +134,7 @@ def compared_with(name, code):
 def shared_threshold_complaints():
     """The same of a number that a header of the diagnosis defines and a file that writes answers compares with."""
     shared = {}
-    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.suffix == ".h" and p.as_posix() != POLICY):
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.suffix == ".h" and p.parent.as_posix() != POLICY):
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             if line.startswith("inline constexpr double") and "numerical: " not in line and (own := OWN_NUMBERS.match(line.split("//")[0])):
                 shared |= {name: f"{path}:{number}" for name in re.findall(r"(\w+) = [^,]*\d", own.group(1))}
@@ -147,7 +147,7 @@ def shared_threshold_complaints():
 
 
 def own_threshold_complaints():
-    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.parent.as_posix() != POLICY):
         text = (SOURCE / path).read_text(encoding="utf-8")
         if not WRITES_ANSWER.search(text):
             continue
@@ -163,7 +163,7 @@ def own_threshold_complaints():
 def policy_complaints():
     """In the diagnosis no decimal number is compared with but by a name;
     every number of the policy says what supports it, and every other one that it is numerical."""
-    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.as_posix() != POLICY):
+    for path in (p for p in files() if p.is_relative_to("analysis/diagnosis") and p.parent.as_posix() != POLICY):
         for number, line in enumerate((SOURCE / path).read_text(encoding="utf-8").splitlines(), 1):
             code = re.sub(r'"[^"]*"', "", line.split("//")[0])
             scan = code.lstrip().startswith("for (") or "// numerical: " in line
@@ -172,8 +172,8 @@ def policy_complaints():
             if CHOSEN.search(code) and not scan:
                 yield f"{path}:{number}: chooses a bare number; thresholds stand in {POLICY}, numerical limits say \"// numerical: WHAT\""
         yield from house_policy.beside(path, (SOURCE / path).read_text(encoding="utf-8").splitlines())
-    if (SOURCE / POLICY).exists():
-        yield from house_policy.complaints((SOURCE / POLICY).read_text(encoding="utf-8").splitlines())
+    for path in house_policy.headers(SOURCE):
+        yield from house_policy.complaints(path.relative_to(SOURCE), path.read_text(encoding="utf-8").splitlines())
 
 
 # The diagnosis refuses with codes (CannotAnswer, NotFitted); their sentences are composed in sweep/words.

@@ -5,14 +5,20 @@ word whose meaning it fixes, or begins with "numerical:" and why it only costs o
 comment of its own; an entry of a list gives its reason in a string.
 """
 import re
+from pathlib import Path
 
-POLICY = "analysis/diagnosis/policy/policy.h"
+POLICY = "analysis/diagnosis/policy"
 SINGLE = re.compile(r"inline constexpr (?:double|int|std::size_t) ")
 MEMBER = re.compile(r"\.(\w+) = [-+]?[\d.]")
 ENTRY = re.compile(r'\w+\{"([^"]+)", "([^"]+)", ')
 SUPPORTED = re.compile(r"(Evidence|Definition): *\S")
 NUMERICAL = re.compile(r"^ *numerical: *\S")
 NONE_YET = "Evidence: none yet"
+
+
+def headers(source):
+    """The files of the policy, in which thresholds stand; rules.h names the numbers of the ladder only."""
+    return sorted(path for path in (Path(source) / POLICY).glob("*.h") if path.name != "rules.h")
 
 
 def numbers(lines):
@@ -33,9 +39,9 @@ def numbers(lines):
         comment = ""
 
 
-def complaints(lines):
+def complaints(path, lines):
     for place, name, comment, count, reasoned in numbers(lines):
-        where = f"{POLICY}:{place}: {name}"
+        where = f"{path}:{place}: {name}"
         if count > 1:
             yield f"{where} and {count - 1} more share a comment; each number has its own"
         elif NUMERICAL.match(comment):

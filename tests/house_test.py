@@ -7,7 +7,7 @@ from pathlib import Path
 
 HOUSE = Path(__file__).parent / "house.py"
 EXCEPTIONS = "tests/house_exceptions.toml"
-POLICY = "analysis/diagnosis/policy/policy.h"
+POLICY = "analysis/diagnosis/policy/verdict.h"
 GOOD = {"analysis/base/law.h": "// A law.\n#pragma once\n"}
 
 
@@ -97,19 +97,19 @@ CASES = [
     ("a number of the policy without a reason", {POLICY: "/// A part. Evidence: of ten none.\ninline constexpr double most = 0.1;\n"},
      "most is a threshold without a reason"),
     ("one with the evidence of another", {POLICY: "/// A part. Reason: so. Evidence: of ten none.\ninline constexpr double most = 0.1;\n"
-                                                 "inline constexpr std::size_t least = 2;\n"}, "policy.h:3: least is a threshold without a reason"),
+                                                 "inline constexpr std::size_t least = 2;\n"}, "verdict.h:3: least is a threshold without a reason"),
     ("one without evidence", {POLICY: "/// A part. Reason: so. Evidence:\ninline constexpr double most = 0.1;\n"},
      "most is a threshold with neither evidence"),
     ("one that is a definition", {POLICY: "/// A part. Reason: so. Definition: most.\ninline constexpr double most = 0.1;\n"}, None),
     ("one that is numerical in the policy", {POLICY: "/// numerical: of a search.\ninline constexpr int most = 3;\n"}, None),
     ("a member of a struct with the evidence of the whole",
      {POLICY: "/// Parts. Reason: so. Evidence: of ten none.\ninline constexpr Rules rules{\n    .most = 0.1,  // a part\n};\n"},
-     "policy.h:3: most is a threshold without a reason"),
+     "verdict.h:3: most is a threshold without a reason"),
     ("a member with its own", {POLICY: "/// Parts.\ninline constexpr Rules rules{\n    /// A part. Reason: so. Evidence: of ten none.\n    .most = 0.1,\n"
                                        "    .others = other_rules,\n};\n"}, None),
     ("an entry of a list without evidence", {POLICY: 'inline constexpr std::array ranges{\n    Range{"play", "width", 0, 1, "so"},\n};\n'},
-     "policy.h:2: play.width is a threshold with neither evidence"),
-    ("a page that reads the policy", {"sweep/words/text.cpp": '#include "analysis/diagnosis/policy/policy.h"\n'}, None),
+     "verdict.h:2: play.width is a threshold with neither evidence"),
+    ("a page that reads the policy", {"sweep/words/text.cpp": '#include "analysis/diagnosis/policy/verdict.h"\n'}, None),
     ("words in a refusal of the diagnosis", {"analysis/diagnosis/fit/fit.cpp": 'throw std::runtime_error("no");\n'}, "refuses with words"),
 ]
 

@@ -9,7 +9,7 @@
 #include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/report_findings.h"
 #include "analysis/diagnosis/rig/rig.h"

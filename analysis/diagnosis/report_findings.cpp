@@ -1,7 +1,10 @@
 #include "analysis/diagnosis/report_findings.h"
 
 #include "analysis/diagnosis/heldout/drive_force.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/report_ladder.h"

@@ -40,7 +40,7 @@ void check_probabilities(const Diagnosis& d, Found& found)
     }
     if (!each || sum > 1 + rounding) found.push_back("probabilities-exceed-one");
     if (is_named(d) && d.effects[0].probability < most - rounding) found.push_back("first-cause-is-not-the-likeliest");
-    // a rival that cannot be distinguished from the first has 1/e of its odds at least (policy.h)
+    // a rival that cannot be distinguished from the first has 1/e of its odds at least (policy/)
     if (is_named(d) && !d.ambiguous_with.empty() && d.effects[0].probability > 1 / (1 + std::exp(-1.0)) + 1e-3)
         found.push_back("sure-beside-a-rival");
     for (const auto& rung : d.ladder)
@@ -73,7 +73,7 @@ void check_shares(const Diagnosis& d, Found& found)
     if (judged && taken > d.ceiling.share + apart) found.push_back("more-taken-than-explainable");
     if (d.remainder.share < -rounding || d.remainder.share > 1 + rounding) found.push_back("remainder-is-no-share");
     if (!d.remainder.structure.empty() && !(d.remainder.share > 0)) found.push_back("structure-of-nothing");
-    const bool corrections_answer = taken >= 0.5 && taken >= 0.5 * d.ceiling.share;  // policy.h: least_of_gap
+    const bool corrections_answer = taken >= 0.5 && taken >= 0.5 * d.ceiling.share;  // policy/: least_of_gap
     if (d.verdict == Verdict::unknown && judged && corrections_answer &&
         !has_reason(d, Note::Code::force_beside_numbers) && !gained_but_worse(d))
         found.push_back("unknown-though-mostly-taken");

@@ -1,6 +1,6 @@
 #include "sweep/words/diagnosis_first_screen.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/results/point.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"

@@ -1,7 +1,9 @@
 // In one file: the sentence of every code of a diagnosis, as one table, and what its places are filled with.
 #include "sweep/words/diagnosis_text.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/stage_text.h"
 #include "sweep/words/suspicion_text.h"

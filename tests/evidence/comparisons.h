@@ -1,6 +1,6 @@
 // What the thresholds of the policy were compared with since the last call, as JSON.
 #pragma once
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/entries.h"  // made by trace_policy.py
 
 #include <nlohmann/json.hpp>
 

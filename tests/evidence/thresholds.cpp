@@ -3,7 +3,6 @@
 // value are changed.
 #include "analysis/diagnosis/diagnose.h"
 #include "analysis/diagnosis/plant/record_form.h"
-#include "analysis/diagnosis/policy/policy.h"
 #include "sweep/files/records/record_file.h"
 #include "sweep/files/toml/joint_file.h"
 #include "tests/evidence/comparisons.h"

@@ -1,4 +1,4 @@
-// A number of the policy that writes down what it is compared with. The made copy of policy.h has it in place of
+// A number of the policy that writes down what it is compared with. The made copies of the policy have it in place of
 // double.
 #pragma once
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/audit/command_terms.h"
 #include "analysis/diagnosis/audit/gain_regression.h"
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/numerics/line_search.h"
 
 #include <algorithm>

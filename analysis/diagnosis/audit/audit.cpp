@@ -7,7 +7,7 @@
 #include "analysis/diagnosis/audit/audit_terms.h"
 #include "analysis/diagnosis/audit/gain_regression.h"
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/audit/command_terms.h"
 #include "analysis/diagnosis/audit/term_sets.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/joint/gains.h"
 #include "analysis/numerics/line_search.h"
 

@@ -2,7 +2,8 @@
 
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
+#include "analysis/diagnosis/policy/records.h"
 
 #include <algorithm>
 #include <cmath>

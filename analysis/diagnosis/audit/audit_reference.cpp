@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/audit/regression.h"
 #include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/numerics/line_search.h"
 
 #include <algorithm>

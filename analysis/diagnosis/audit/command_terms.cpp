@@ -4,7 +4,7 @@
 
 #include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 
 namespace stickslip::gap {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/audit/audit_filter.h"
 #include "analysis/diagnosis/audit/command_terms.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/joint/gains.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/audit/effort_regression.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/diagnosis/records/ticks.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/audit/effort_regression.h"
 
 #include "analysis/diagnosis/audit/reading_noise.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/results/point.h"
 
 #include <Eigen/QR>

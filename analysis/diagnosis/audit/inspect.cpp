@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/reading_noise.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/diagnosis/records/ticks.h"
 
 #include <algorithm>

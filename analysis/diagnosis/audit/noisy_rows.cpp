@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 #include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/audit/start.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/diagnosis/records/even_clock.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/numerics/statistics.h"

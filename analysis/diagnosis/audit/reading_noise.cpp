@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/audit/reading_noise.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/numerics/statistics.h"
 
 #include <Eigen/Dense>

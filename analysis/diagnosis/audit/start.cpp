@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/diagnosis/records/start_velocity.h"
 #include "analysis/numerics/statistics.h"
 

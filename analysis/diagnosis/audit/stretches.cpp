@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/audit/stretches.h"
 
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/diagnosis/records/part_of.h"
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/numerics/statistics.h"

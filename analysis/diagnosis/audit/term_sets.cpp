@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/audit/term_sets.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "analysis/numerics/line_search.h"
 
 namespace stickslip::gap {

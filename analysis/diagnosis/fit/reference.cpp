@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/fit/reference.h"
 
 #include "analysis/diagnosis/plant/controller.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
+#include "analysis/diagnosis/policy/search.h"
 #include "analysis/numerics/reference_rate.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/fit/residuals.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Corrections that are small terms of every machine: which there are, their priors, and how large one is.
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/corrections.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "analysis/diagnosis/audit/reading_noise.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/fit/reference.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/problem.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
 #include <cmath>

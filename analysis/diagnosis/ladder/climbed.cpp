@@ -4,7 +4,7 @@
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/fit_set.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What is asked of a set that a climb has found: in which order its causes count, and what could stand in their place.
 #include "analysis/diagnosis/ladder/climber.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/ladder/plausible.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
 #include <cmath>

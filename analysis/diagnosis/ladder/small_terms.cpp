@@ -5,7 +5,7 @@
 #include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"
 #include "analysis/diagnosis/ladder/plausible.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/ladder/windows.h"
 
 #include "analysis/diagnosis/fit/residuals.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/outcomes/law_cost.h"
 
 #include "analysis/diagnosis/outcomes/rivals.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 #include "analysis/numerics/optimise.h"
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/verdict.h"

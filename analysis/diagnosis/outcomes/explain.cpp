@@ -3,7 +3,8 @@
 #include "analysis/diagnosis/outcomes/rows.h"
 #include "analysis/diagnosis/outcomes/share.h"
 #include "analysis/diagnosis/outcomes/side.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/diagnosis/verdict/reject.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/outcomes/law_cost.h"
 
 #include "analysis/diagnosis/outcomes/side.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 
 #include <Eigen/Dense>
 

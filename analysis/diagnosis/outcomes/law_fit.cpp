@@ -2,7 +2,7 @@
 
 #include "analysis/diagnosis/outcomes/law_cost.h"
 #include "analysis/diagnosis/outcomes/side.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 #include "analysis/numerics/optimise.h"
 
 #include <algorithm>

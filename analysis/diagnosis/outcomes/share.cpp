@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/outcomes/share.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,9 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/fit/fit.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
+#include "analysis/diagnosis/policy/search.h"
 #include "analysis/results/cannot_answer.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/plan/safe_motion.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 
 #include <algorithm>
 #include <cmath>

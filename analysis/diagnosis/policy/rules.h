@@ -1,4 +1,4 @@
-// The numbers that a ladder of causes goes by. Their values, with reasons and evidence, stand in policy.h.
+// The numbers that a ladder of causes goes by. Their values, with reasons and evidence, stand in ladder.h.
 #pragma once
 #include <cstddef>
 #include <span>

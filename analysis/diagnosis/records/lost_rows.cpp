@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/records/lost_rows.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/diagnosis/records/between_rows.h"
 #include "analysis/diagnosis/records/ticks.h"
 

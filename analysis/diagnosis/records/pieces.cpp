@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/records/pieces.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/diagnosis/records/ticks.h"
 
 #include <cstdio>

@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/rig/rig.h"
 
 #include "analysis/diagnosis/fit/effect.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "analysis/diagnosis/rig/rig_answer.h"
 #include "analysis/diagnosis/rig/rig_experiment.h"
 #include "analysis/diagnosis/rig/rig_laws.h"

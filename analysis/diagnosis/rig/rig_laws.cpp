@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/rig/rig_laws.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 #include "analysis/friction/memory_step.h"
 #include "analysis/joint/joint.h"
 #include "analysis/numerics/optimise.h"

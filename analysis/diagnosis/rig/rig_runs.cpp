@@ -1,5 +1,5 @@
 // From a rig's records to runs in one direction each.
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 #include "analysis/diagnosis/rig/rig_laws.h"
 
 #include "analysis/joint/joint.h"

@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/search/attribute.h"
 
 #include "analysis/diagnosis/effects/catalogue.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/problem.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/search.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>

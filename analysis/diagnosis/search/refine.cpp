@@ -1,6 +1,6 @@
 // Candidates carried through all levels.
 #include "analysis/diagnosis/fit/excerpt.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/search.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "analysis/diagnosis/search/search.h"
 
 #include "analysis/diagnosis/fit/excerpt.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/search.h"
 
 #include <algorithm>
 

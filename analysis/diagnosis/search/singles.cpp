@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/fit/excerpt.h"
 #include "analysis/diagnosis/fit/seeds.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/search.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/ladder/ladder.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/results/diagnosis.h"
 
 #include <algorithm>

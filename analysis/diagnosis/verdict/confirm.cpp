@@ -1,7 +1,10 @@
 // What fits leave, against the noise that a joint of the kind would leave itself.
 #include "analysis/diagnosis/verdict/decide.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
+#include "analysis/diagnosis/policy/search.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/quality.h"
 

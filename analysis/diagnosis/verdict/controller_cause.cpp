@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/verdict/controller_cause.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/verdict/chances.h"
 
 #include <algorithm>

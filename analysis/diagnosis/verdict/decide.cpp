@@ -3,7 +3,8 @@
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/moment.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/quality.h"
 

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/verdict/experiment.h"
 
 #include "analysis/diagnosis/plan/safe_motion.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,10 @@
 
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/heldout.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/search.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"

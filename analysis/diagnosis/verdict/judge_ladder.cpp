@@ -3,7 +3,8 @@
 #include "analysis/diagnosis/verdict/chances.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/search/search.h"
 #include "analysis/diagnosis/verdict/decide.h"
 #include "analysis/diagnosis/verdict/experiment.h"

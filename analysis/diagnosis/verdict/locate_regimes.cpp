@@ -1,5 +1,6 @@
 // In one file: one table: the regimes, how rows belong to them, and their shares.
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/diagnosis/verdict/locate_stages.h"
 #include "analysis/diagnosis/verdict/shares.h"
 #include "analysis/numerics/statistics.h"

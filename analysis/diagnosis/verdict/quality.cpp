@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/verdict/quality.h"
 
 #include "analysis/diagnosis/ladder/plausible.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/diagnosis/search/search.h"
 
 #include <algorithm>

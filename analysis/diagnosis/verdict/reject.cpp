@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/reject.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/verdict.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/verdict/report_corrections.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/quality.h"
 

@@ -1,7 +1,8 @@
 #include "analysis/diagnosis/verdict/settle_ladder.h"
 
 #include "analysis/diagnosis/heldout/heldout.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/verdict/chances.h"
 
 #include <algorithm>

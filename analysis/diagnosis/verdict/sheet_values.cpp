@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/verdict/sheet_values.h"
 
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/diagnosis/verdict/data_sheet.h"
 
 #include <algorithm>

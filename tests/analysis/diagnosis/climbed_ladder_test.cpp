@@ -2,7 +2,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"

@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/diagnose.h"
 #include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/verdict/locate_stages.h"
 #include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/small_machine.h"

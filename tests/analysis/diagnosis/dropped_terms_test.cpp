@@ -1,5 +1,6 @@
 // A small term of machines that was taken out of a ladder is no rival of what stays in it.
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 
 #include <catch2/catch.hpp>

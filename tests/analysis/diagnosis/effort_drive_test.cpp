@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/audit/effort_drive.h"
 
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/audit.h"
 #include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "analysis/diagnosis/audit/prepare.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/verdict/chances.h"
 #include "analysis/diagnosis/verdict/controller_cause.h"
 #include "analysis/diagnosis/verdict/experiment.h"

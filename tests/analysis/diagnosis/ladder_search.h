@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/ladder/ladder.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/verdict/judge_ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"

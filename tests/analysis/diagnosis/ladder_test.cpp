@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/flexible.h"
 #include "analysis/diagnosis/ladder/plausible.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"
 

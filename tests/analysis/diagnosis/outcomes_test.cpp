@@ -1,6 +1,6 @@
 #include "analysis/diagnosis/outcomes/explain.h"
 #include "analysis/diagnosis/outcomes/side.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/outcomes_and_rigs.h"
 #include "tests/in_order.h"
 
 #include <catch2/catch.hpp>

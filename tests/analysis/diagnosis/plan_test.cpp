@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/plan/power.h"
 #include "analysis/diagnosis/plan/safe_motion.h"
 #include "analysis/diagnosis/plant/simulator.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/search.h"
 #include "tests/in_order.h"
 
 #include <catch2/catch.hpp>

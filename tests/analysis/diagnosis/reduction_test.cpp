@@ -3,7 +3,7 @@
 #include "analysis/diagnosis/fit/corrections.h"
 #include "analysis/diagnosis/fit/joint_edits.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/verdict/locate_stages.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 

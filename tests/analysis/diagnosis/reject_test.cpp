@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/reject.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/verdict.h"
 #include "analysis/results/contradictions.h"
 
 #include <catch2/catch.hpp>

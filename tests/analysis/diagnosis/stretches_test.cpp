@@ -1,7 +1,7 @@
 #include "analysis/diagnosis/audit/stretches.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/heldout/unseen.h"
-#include "analysis/diagnosis/policy/policy.h"
+#include "analysis/diagnosis/policy/records.h"
 #include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"

@@ -1,0 +1,111 @@
+// What decides between single causes and pairs, and what is never named (verdict/).
+#pragma once
+
+namespace stickslip::gap::policy {
+
+/// Difference of score. Among causes closer than this the likelihood decides. Reason: scores of causes that explain to
+/// within noise differ only by noise. Evidence: in other cases, of 29 values none lies between 0.007 and 0.032.
+inline constexpr double margin_of_score = 0.02;
+/// Rows that count as one independent reading in the likelihood. Reason: the innovations of a true joint would be white
+/// and every row a reading of its own; innovations of a model are not. Evidence: the nearest ties of two blind batches,
+/// nine, of which this number and `relative_temperature` were set together.
+inline constexpr double rows_per_reading = 15;
+/// Width of the odds as a part of the best score. Reason: far above the floor margins are model error and grow with the
+/// best score. Evidence: the same nine ties as of `rows_per_reading`.
+inline constexpr double relative_temperature = 0.007;
+/// Odds against a rival with one more parameter that gains nothing by it. Reason: the rival contains the winner as a
+/// special case, and a true rival would have used its parameter; Schwarz's √n for a thousand independent readings.
+/// Evidence: with 10 or 100 eight other cases keep their names; the largest change of a probability is from 0.95 to
+/// 0.89.
+inline constexpr double needless_parameter = 30;
+/// Probability that a named cause is wrong where only noise remains. Reason: the catalogue is finite, and real causes
+/// may lie outside it. Evidence: the calibration of the blind batches in docs/validation.md.
+inline constexpr double doubt_of_accepted = 0.015;
+/// The same where more than noise remains. Reason: as `doubt_of_accepted`. Evidence: the calibration of the blind
+/// batches in docs/validation.md.
+inline constexpr double doubt = 0.15;
+/// Largest value of that probability. Reason: a named cause has a chance, or it would not be named. Evidence: none yet;
+/// chosen. It is a cap: an answer with so much doubt is stated as the nearest cause at most.
+inline constexpr double most_doubt = 0.95;
+/// Part of the misfit beyond the noise that one cause must explain to be accepted although a remainder exists. Reason:
+/// stick-slip amplifies the differences of two integrators. Evidence: in other cases, of nine values none lies between
+/// 0.82 and 0.977.
+inline constexpr double explained_single = 0.97;
+/// The same of a pair. Reason: two causes have more parameters, so that more is asked of them. Evidence: in other
+/// cases, of three values none lies between 0.89 and 0.993.
+inline constexpr double explained_pair = 0.985;
+/// The same of backlash. Reason: simulated contact differs slightly from real backlash. Evidence: none yet; chosen. In
+/// other cases one value was compared with it, 0.9935.
+inline constexpr double explained_by_backlash = 0.99;
+/// Difference of score by which a pair must be better than its best single where the single explains to within noise.
+/// Reason: a second effect has to earn its place. Evidence: none yet; chosen. In other cases a pair that is there is
+/// better by 3.06.
+inline constexpr double worth_a_partner = 0.06;
+/// The same where a remainder exists or backlash alone leaves hardly any. Reason: a second effect has to earn its
+/// place, the more so where a remainder is there in any case. Evidence: none yet; chosen. In other cases a partner of
+/// backlash is better by 0.0018 and a pair that is there by 3.06.
+inline constexpr double worth_a_doubted_partner = 0.15;
+/// Part of the misfit beyond the noise. A cause that explains less is not named. Reason: it is one cause among others.
+/// Evidence: in 12 blind cases (seed 4122), of 27 values that were compared with it none lies between 0.62 and 0.82.
+inline constexpr double nameable = 0.75;
+/// Part of the misfit beyond the noise that a pair with backlash or a spring must explain to be named in place of the
+/// single. Reason: real backlash has a contact that cannot be simulated exactly, so that a remainder exists in any
+/// case. Evidence: none yet; chosen.
+inline constexpr double completed = 0.94;
+/// Part of the remainder of backlash or a spring alone that its partner must take for the same. Reason: as `completed`.
+/// Evidence: none yet; chosen.
+inline constexpr double taken_by_partner = 0.75;
+/// Part explained above which closed-loop simulations may accept a cause, above which a single is named whose best
+/// partner hardly helps, and above which a cause that acts nowhere by itself has its signature. Reason: simulations of
+/// the whole loop are noisy and would accept causes that predictions show to be wrong; a remainder of a single that no
+/// partner takes is no second effect. Evidence: in other cases, of 71 values none lies between 0.89 and 0.96.
+inline constexpr double mostly_explained = 0.9;
+/// Misfit in multiples of the prediction floor, at the fastest observer, above which a cause is rejected whatever the
+/// noise. Reason: no joint's own noise reaches this within a few rows. Evidence: in 12 blind cases (seed 4122), of 44
+/// values that were compared with it none lies between 2.7 and 4.2.
+inline constexpr double hopeless = 3;
+/// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
+/// Evidence: none yet; chosen.
+inline constexpr double turned_back = 2.0 / 3;
+/// Multiple of the usual size of a parameter that is implausible. Reason: a document is wrong by a part of what it
+/// states; ten times as much is something else. Evidence: none yet; chosen.
+inline constexpr double implausible_size = 10;
+/// Least usual size that counts for `implausible_size`, in units of the parameter. Reason: a parameter whose usual size
+/// is next to nothing would be implausible whenever it is there. Evidence: none yet; chosen.
+inline constexpr double least_prior = 0.1;
+/// Correlation, second by second, of the residual and what an effect takes out of it, from which on a second shows the
+/// signature of the effect. Reason: half of the squares of such a second (0.7² = 0.49) are due to the effect.
+/// Definition: "signature" on the page.
+inline constexpr double signature_correlation = 0.7;
+/// Mean square of what an effect makes, in multiples of the prediction floor, from which on it acts in a second.
+/// Reason: where it makes less than twice the noise, noise decides. Definition: the seconds of "signature", those in
+/// which the effect makes twice the noise.
+inline constexpr double acting_square = 4;
+/// Part of the seconds in which an effect acts that must have its signature. Reason: a second may be disturbed by
+/// something else. Evidence: none yet; chosen.
+inline constexpr double most_seconds = 2.0 / 3;
+/// Largest probability of a nearest cause that is not named. Reason: it is listed only as a hint, and the verdict is
+/// unknown. Evidence: none yet; chosen. It is shown beside the hint and decides no name.
+inline constexpr double believed_unnamed = 0.1;
+/// Part of the mean square beyond the noise. A cause that leaves more on held-out data is rejected. Reason: it is not
+/// the cause of the gap. Definition: the cause of a gap takes at least half of it.
+inline constexpr double mostly_left = 0.5;
+/// Multiple of an estimated (undocumented) noise floor. A cause that leaves more and is not explained to within noise
+/// is rejected. Reason: an estimated floor is less wrong than this. Evidence: of such causes in ten blind batches the
+/// one that left less than two was right; the two that left more than seven were an inertia that changed with time.
+inline constexpr double many_floors = 3;
+/// Multiple of a documented noise floor. A cause that leaves more and is not explained to within noise has at most the
+/// probability `believed_doubted`. Reason: there is a second effect, or another one. Evidence: of ten such causes in
+/// two blind batches the six that left less were right; the four that left more were wrong or lacked a second effect.
+inline constexpr double more_than_noise = 1.5;
+/// Largest probability of a cause that leaves `more_than_noise`. Reason: it may be one of two causes. Evidence: of the
+/// four such causes in two blind batches none was the whole answer; (0 + 1)/(4 + 2) = 0.17.
+inline constexpr double believed_doubted = 0.2;
+/// Multiple of the noise floor that a simulation of whole records may reach without a gap. Reason: noise may hide from
+/// row to row what adds up over a record. Evidence: none of 470 blind joints without an effect exceeded 1.25.
+inline constexpr double far_from_noise = 1.5;
+/// Part of the gap that an unmodelled force must take to be told beside "unexplained". Reason: a hint at what is
+/// missing has to explain most of the gap. Definition: the words "most of it follows the …", half.
+inline constexpr double worth_a_hint = 0.5;
+
+}  // namespace stickslip::gap::policy

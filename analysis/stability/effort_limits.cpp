@@ -63,13 +63,14 @@ Joint acting_joint(const Joint& joint)
 
 namespace {
 
+/// A limit that only just leaves the effort leaves nothing to act on a disturbance with.
 std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
 {
     const auto& a = joint.actuator;
     if (!(effort < a.sag_effort)) return LowLimit{"actuator.sag_effort", Quantity::effort, a.sag_effort, effort};
-    if (effort > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
+    if (effort >= a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, effort};
     const double command = std::abs(command_for(a, effort, 0)), limit = joint.control.effort_limit;
-    if (!(command <= limit)) return LowLimit{"control.effort_limit", Quantity::effort, limit, command};
+    if (!(command < limit)) return LowLimit{"control.effort_limit", Quantity::effort, limit, command};
     return std::nullopt;
 }
 
@@ -77,15 +78,15 @@ std::optional<LowLimit> of_an_effort(const Joint& joint, double effort)
 std::optional<LowLimit> of_a_motor(const Joint& joint, double effort, double velocity)
 {
     const auto& a = joint.actuator;
-    if (std::abs(effort) > a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, std::abs(effort)};
+    if (std::abs(effort) >= a.limit) return LowLimit{"actuator.limit", Quantity::effort, a.limit, std::abs(effort)};
     const double volts = std::abs(winding_voltage(a, effort, velocity));
     const bool duty = a.signal == DriveSignal::duty;
     const LowLimit supply{"actuator.supply_voltage", Quantity::voltage, a.supply_voltage, volts};
-    if (is_set(a.supply_voltage) && volts > a.supply_voltage) return supply;
+    if (is_set(a.supply_voltage) && volts >= a.supply_voltage) return supply;
     if (!(actuation(joint, velocity, effort).gain * a.effort_gain > 0))
         return supply;  // it sags before the effort is reached
     const double command = std::abs(command_for(a, effort, velocity));
-    if (command > joint.control.effort_limit)
+    if (command >= joint.control.effort_limit)
         return LowLimit{"control.effort_limit", duty ? Quantity::number : Quantity::voltage, joint.control.effort_limit,
                         command};
     return std::nullopt;

@@ -27,8 +27,8 @@ void take_endless(StableGains& gains)
 
 bool remembers_little(const Joint& joint)
 {
-    constexpr double most_readings = 1000;  // as many as dead ticks: the map of a tick is a matrix of that size
-    return loop_kind(joint) != LoopKind::sampled || joint.control.velocity_estimate.average <= most_readings;
+    // as many as dead ticks: the map of a tick is a matrix of that size
+    return loop_kind(joint) != LoopKind::sampled || joint.control.velocity_estimate.average <= most_dead_ticks;
 }
 
 namespace {

@@ -23,7 +23,7 @@ std::string detail_text(Detail detail)
             return "the push towards the set point jumps by more than the friction of steady sliding: the joint "
                    "chatters about its reference";
         case Detail::effort_limit:
-            return "the effort limit is below the effort of steady sliding: there is no steady sliding";
+            return "the effort limit is not above the effort of steady sliding: there is no steady sliding";
         case Detail::no_time_step:
             return "the fastest rate of the joint leaves no time step that the simulation can take";
         case Detail::force_loop:

@@ -32,8 +32,8 @@ std::string reason_text(Reason reason)
         case Reason::neutral:
             return "neutral: small disturbances neither grow nor decay, as nothing damps them";
         case Reason::limit_too_low:
-            return "the effort limit is below the effort that steady sliding needs: the joint cannot slide at this "
-                   "velocity";
+            return "the effort limit is not above the effort that steady sliding needs: the joint cannot slide at "
+                   "this velocity";
         case Reason::impossible:
             return "there is no such joint: these values together break a rule between keys, which evaluate with --set "
                    "names";

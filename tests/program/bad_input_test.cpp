@@ -258,7 +258,7 @@ TEST_CASE("Ctrl-C ends a verb of seconds at once, in words and with code 3", "[p
     CHECK(run.output == "interrupted before the answer was complete\n");
 }
 
-TEST_CASE("a dead time that is refused is named with its number and its place", "[program]")
+TEST_CASE("a dead time or an average that is refused is named with its number and its place", "[program]")
 {
     const std::string sampled = "V0 = 1e-3\nperiod = 1e-3\nvelocity_estimate = { form = \"backward-difference\" }\n";
     Folder folder;
@@ -266,11 +266,17 @@ TEST_CASE("a dead time that is refused is named with its number and its place", 
     const std::string both = with("V0 = 1e-3\n", sampled + "delay = 0.6\n") + "[sensor]\ndelay = 0.5\n";
     const auto apart = folder.write("apart.toml", both);
     const auto prompt = folder.write("prompt.toml", with("V0 = 1e-3\n", sampled));
+    std::string average = sampled;
+    average.insert(average.find(" }"), ", average = 1000000000");
+    const auto averaging = folder.write("averaging.toml", with("V0 = 1e-3\n", average));
     struct Refused {
         std::string command;
         const char *place, *says;
     };
     const Refused cases[] = {
+        {"evaluate '" + averaging + "'", "averaging.toml:10:", "control.velocity_estimate.average: is 1e+09"},
+        {"simulate '" + prompt + "' --set control.velocity_estimate.average=1001", "--set: control.velocity_estimate",
+         "is 1001, expected at most 1000 readings"},
         {"sweep '" + late + "' -o '" + (folder / "out") + "'", "late.toml:11:9: control.delay: is 1000 s",
          "1e+06 periods, expected at most 1000 periods (1 s)"},
         {"margins '" + apart + "'", "apart.toml:23:9: sensor.delay: is 0.5 s and control.delay 0.6 s",

@@ -111,8 +111,7 @@ std::vector<Start> Climber::divided_anew(const FittedSet& below) const
 {
     constexpr std::size_t most_beside = 1;  // causes but numbers of the document: more take seconds to fit
     std::vector<Start> looks;
-    std::size_t beside = 0;
-    for (std::size_t i = 0; i < below.causes.effects.size(); ++i) beside += !fitter_.is_of_document(below, i);
+    const std::size_t beside = below.causes.effects.size() - fitter_.of_document(below);
     if (beside > most_beside || divides_mass(below.causes)) return looks;
     for (const auto& single : singles_) {
         const Effect* effect = single.candidate.effects[0];

@@ -61,10 +61,10 @@ class Climber {
     /// document.
     std::optional<FittedSet> without_correction(const FittedSet& below, const std::vector<FittedSet>& tried);
 
-    /// On top of a set the numbers of the document that are further off than documents are, where at least two are, all
-    /// fitted at once and held back by nothing: one of them alone beside corrections comes no nearer than an effect
-    /// that imitates them all. `held_back`: only where at least one of the corrections is; what it may not take goes
-    /// into others, which then stay within their bounds.
+    /// On top of a set the numbers of the document that are further off than documents are, where at least two are,
+    /// those of the set among them, all fitted at once and held back by nothing: one of them alone beside corrections
+    /// comes no nearer than an effect that imitates them all. `held_back`: only where at least one of the corrections
+    /// is; what it may not take goes into others, which then stay within their bounds.
     std::optional<FittedSet> wrong_numbers(const FittedSet& below, const Corrections& corrections,
                                            bool held_back) const;
     /// Numbers of a document: one is a cause like any other, and is tried as one.

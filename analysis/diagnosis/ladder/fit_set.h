@@ -49,6 +49,13 @@ class SetFitter {
     {
         return corrections_.same_number(*set.causes.effects[cause], *set.causes.forms[cause]);
     }
+    /// How many of the causes of a set are numbers of the document.
+    std::size_t of_document(const FittedSet& set) const
+    {
+        std::size_t numbers = 0;
+        for (std::size_t i = 0; i < set.causes.effects.size(); ++i) numbers += is_of_document(set, i);
+        return numbers;
+    }
     /// Excerpts anew, after the prediction floors have moved.
     void renew();
     /// Numbers of a set: corrections as in `like`, causes as given.

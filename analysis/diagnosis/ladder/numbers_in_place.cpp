@@ -17,15 +17,14 @@ bool LadderSearch::nearer_than(const FittedSet& set, const FittedSet& numbers) c
     return numbers.misfit < set.misfit - (as_simple ? 0 : least_gain(numbers, rules_));
 }
 
-/// Several numbers of the document take the place of a cause of as many parameters where they come nearer; of a simpler
-/// one only where several are held back and they are distinguished from it, of none where several are held back. One
-/// alone is a cause like any other, and is tried as one.
+/// Several numbers of the document take the place of a cause of as many parameters where they come nearer, of a simpler
+/// one where they are distinguished from it, and of none where several are held back. One alone is a cause like any
+/// other, and is tried as one.
 std::optional<FittedSet> LadderSearch::nearer_numbers(const FittedSet* than) const
 {
     if (!wrong_numbers_) return std::nullopt;
-    const bool as_simple = than && wrong_numbers_->causes.parameter_count() <= than->causes.parameter_count();
-    if (!as_simple && Climber::held_back(corrected_, *corrections_) < Climber::several) return std::nullopt;
-    if (than && !nearer_than(*than, *wrong_numbers_)) return std::nullopt;
+    if (than ? !nearer_than(*than, *wrong_numbers_) : Climber::held_back(corrected_, *corrections_) < Climber::several)
+        return std::nullopt;
     FittedSet numbers = without_idle(*wrong_numbers_);
     if (numbers.causes.effects.size() < Climber::several) return std::nullopt;
     return numbers;

@@ -47,7 +47,9 @@ std::optional<FittedSet> Climber::wrong_numbers(const FittedSet& below, const Co
     freed.records = below.model.candidate.records;
     Eigen::VectorXd x = below.of_causes(below.fit.x);
     for (const auto& number : numbers) x = insert(freed, number.effect, &number.effect->forms[0], x, number.x);
-    const std::size_t least = below.causes.effects.size() + several;
+    const std::size_t stated = fitter_.of_document(below);
+    const std::size_t least =
+        below.causes.effects.size() + std::max<std::size_t>(1, several - std::min(several, stated));
     FittedSet set = fitter_.fit(freed, fitter_.start(freed, below, x));
     while (set.correction && set.causes.effects.size() >= least) set = without(set, *set.correction);
     if (set.correction || !set.plausible || set.causes.effects.size() < least) return std::nullopt;

@@ -3,9 +3,9 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/toml_input.h"
-#include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/joint_file.h"
 #include "sweep/files/toml/joint_keys.h"
+#include "sweep/files/toml/refused_memory.h"
 #include "sweep/files/toml/spec_file.h"
 #include "sweep/words/symbols.h"
 
@@ -98,7 +98,7 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
     for (const double end : axis.values) {
         Joint at = asked.design;
         *find_parameter(at, path) = end;
-        if (const auto late = files::refused_dead_time(at.control, at.sensor.delay); !late.path.empty())
+        if (const auto late = files::refused_memory(at.control, at.sensor.delay); !late.path.empty())
             throw BadInput(fmt::format("{} {}: {} {}", option, path, late.path, late.message));
     }
     const double low = axis.values[0], high = axis.values[1];

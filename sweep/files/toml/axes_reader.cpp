@@ -1,9 +1,9 @@
 #include "sweep/files/toml/axes_reader.h"
 
 #include "analysis/joint/parameters.h"
-#include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/hand_keys.h"
 #include "sweep/files/toml/named_values.h"
+#include "sweep/files/toml/refused_memory.h"
 #include "sweep/study/samples.h"
 #include "sweep/words/symbols.h"
 
@@ -197,7 +197,7 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
             Joint latest = joint;
             double* number = find_parameter(latest, axis->path);
             *number = number == &latest.control.period ? axis->values.front() : axis->values.back();
-            const auto late = refused_dead_time(latest.control, latest.sensor.delay);
+            const auto late = refused_memory(latest.control, latest.sensor.delay);
             if (!late.path.empty()) complaints.add(given.place, "axes." + given.path, late.path + " " + late.message);
         }
         sound = sound && axis;

@@ -3,9 +3,9 @@
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/csv_cells.h"
-#include "sweep/files/toml/dead_time.h"
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/joint_table.h"
+#include "sweep/files/toml/refused_memory.h"
 #include "sweep/files/toml/servo.h"
 #include "sweep/files/toml/struct_reader.h"
 
@@ -155,7 +155,7 @@ void apply_settings(Joint& joint, const std::vector<std::string>& settings)
         }
     }
     if (messages.empty())
-        if (const auto late = files::refused_dead_time(changed.control, changed.sensor.delay); !late.message.empty())
+        if (const auto late = files::refused_memory(changed.control, changed.sensor.delay); !late.message.empty())
             messages.push_back("--set: " + late.path + ": " + late.message);
     if (messages.empty())
         for (const auto& problem : check(changed))

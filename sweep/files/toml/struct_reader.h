@@ -5,7 +5,7 @@
 #include "analysis/friction/law.h"
 #include "analysis/joint/parameters.h"
 #include "sweep/files/text/toml_input.h"
-#include "sweep/files/toml/dead_time.h"
+#include "sweep/files/toml/refused_memory.h"
 
 #include <algorithm>
 #include <functional>
@@ -182,19 +182,19 @@ class StructReader {
         if constexpr (requires { s.problem(); }) {
             if (complaints_.count() > complaints_before || mode_ == Mode::change) return;
             if constexpr (std::is_same_v<Struct, Control>)
-                if (complain_refused(refused_dead_time(s, 0), "delay")) return;
+                if (complain_refused(refused_memory(s, 0), "control.")) return;
             if constexpr (std::is_same_v<Struct, Joint>)
-                if (complain_refused(refused_dead_time(s.control, s.sensor.delay), "sensor.delay")) return;
+                if (complain_refused(refused_memory(s.control, s.sensor.delay), "")) return;
             if (const std::string problem = s.problem(); !problem.empty())
                 complaints_.add(frame_.place, frame_.path, problem);
         }
     }
 
-    /// At the key, as it is written in this table.
-    bool complain_refused(const Problem& problem, std::string_view key)
+    /// At the key in this table, whose own path the problem's begins with.
+    bool complain_refused(const Problem& problem, std::string_view own)
     {
         if (problem.message.empty()) return false;
-        const auto node = frame_.table->at_path(key);
+        const auto node = frame_.table->at_path(problem.path.substr(own.size()));
         complaints_.add(node ? Place(node.node()->source()).or_else(frame_.place) : frame_.place, problem.path,
                         problem.message);
         return true;

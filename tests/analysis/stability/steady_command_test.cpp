@@ -1,5 +1,6 @@
 // What the controller has to ask for in steady sliding, and how far the joint is behind for it.
 #include "analysis/joint/drive.h"
+#include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/stability/effort_limits.h"
 #include "analysis/stability/real_loop.h"
 #include "analysis/stability/steady.h"
@@ -92,6 +93,19 @@ TEST_CASE("The limit of the effort has to hold gravity where it pulls most and f
     CHECK_FALSE(low_limit(joint, 1e-3));
     joint.friction.drift.change = -100;
     joint.control.effort_limit = 61;
+    CHECK_FALSE(low_limit(joint, 1e-3));
+}
+
+TEST_CASE("A limit that the effort of steady sliding stands at leaves no steady sliding to any theory", "[loop]")
+{
+    Joint joint = example_joint(60e3, 10, 1e-3);
+    joint.control.effort_limit = 60;
+    const auto low = low_limit(joint, 1e-3);
+    REQUIRE(low);
+    CHECK(low->needed == Approx(60));
+    CHECK(possible_sliding(joint).reason == Reason::limit_too_low);
+    CHECK(nonlinear_verdict(joint).detail == Detail::effort_limit);
+    joint.control.effort_limit = 60 * (1 + 1e-9);
     CHECK_FALSE(low_limit(joint, 1e-3));
 }
 

@@ -1,4 +1,4 @@
-#include "sweep/files/toml/dead_time.h"
+#include "sweep/files/toml/refused_memory.h"
 
 #include "sweep/files/text/toml_input.h"
 
@@ -6,8 +6,12 @@
 
 namespace stickslip::files {
 
-Problem refused_dead_time(const Control& control, double sensor_delay)
+Problem refused_memory(const Control& control, double sensor_delay)
 {
+    if (is_set(control.period) && control.velocity_estimate.average > most_dead_ticks)
+        return {"control.velocity_estimate.average",
+                fmt::format("is {}, expected at most {} readings", number_text(control.velocity_estimate.average),
+                            most_dead_ticks)};
     const double most = most_dead_ticks * control.period;
     const bool own = control.delay > most;
     if (!is_set(control.period) || !(own || (sensor_delay > 0 && control.delay + sensor_delay > most))) return {};

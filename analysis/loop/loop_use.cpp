@@ -75,8 +75,12 @@ void take_controller(Collector& c, const Joint& joint)
     c.take(joint.sensor.delay > 0, "sensor.delay");
     if (estimates) {
         c.take(sampled && estimate.form != EstimateForm::unstated, "control.velocity_estimate.form");
-        c.take(estimate.tau > 0 && !(sampled && estimate.form == EstimateForm::exact), "control.velocity_estimate.tau");
-        c.take(sampled && estimate.average > 1, "control.velocity_estimate.average");
+        // a sampled loop that is told its velocity estimates none
+        const bool told = sampled && estimate.form == EstimateForm::exact;
+        c.take(estimate.tau > 0 && !told, "control.velocity_estimate.tau");
+        c.leave(estimate.tau > 0 && told, "control.velocity_estimate.tau", WhyNot::told_velocity, true);
+        c.take(sampled && estimate.average > 1 && !told, "control.velocity_estimate.average");
+        c.leave(estimate.average > 1 && told, "control.velocity_estimate.average", WhyNot::told_velocity, true);
         c.leave(!sampled && estimate.average > 1, "control.velocity_estimate.average", WhyNot::needs_period, true);
     } else {
         c.leave(estimate.tau > 0, "control.velocity_estimate.tau", WhyNot::no_feedback, false);

@@ -27,7 +27,8 @@ enum class WhyNot {
     fed_back,        ///< a push by the side of the set point, of which the linear theory has no term
     unsupported,     ///< this loop has no evaluation with such friction
     overruled,       ///< another key says the same and goes before it
-    other_kind       ///< of a kind of control that the joint does not have
+    other_kind,      ///< of a kind of control that the joint does not have
+    told_velocity    ///< of an estimate, where a sampled loop is told its velocity
 };
 
 /// As JSON calls it.
@@ -35,8 +36,9 @@ constexpr std::string_view name_of(WhyNot why)
 {
     constexpr std::string_view names[] = {"small-signal", "rounding",    "place",          "time",           "backlash",
                                           "needs-period", "no-feedback", "reference-only", "load-direction", "fed-back",
-                                          "unsupported",  "overruled",   "other-kind"};
-    static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::other_kind) + 1);
+                                          "unsupported",  "overruled",   "other-kind",
+                                          "told-velocity"};
+    static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::told_velocity) + 1);
     return names[static_cast<std::size_t>(why)];
 }
 

@@ -100,16 +100,18 @@ std::optional<LowLimit> below(const Joint& joint, double effort, double velocity
                                                        : of_a_motor(joint, effort, velocity);
 }
 
-/// What static friction takes beyond that of sliding, in joint coordinates: at most, as bodies may break away one after
-/// the other.
+/// What friction takes at rest, or in the creep of a law that knows no rest, beyond that of sliding, in joint
+/// coordinates: at most, as bodies may break away one after the other.
 double beyond_sliding(const Joint& joint, double velocity)
 {
+    constexpr double creep = 0.01;  // of the velocity
     const Chain chain = chain_of(joint);
     double more = 0;
     for (int i = 0; i < chain.bodies; ++i) {
         const auto& b = chain.body[i];
         const double sliding = std::abs(steady_force(*b.friction, b.velocity(velocity)));
-        more += b.ratio * std::max(0.0, static_force(*b.friction) - sliding);
+        const double creeping = std::abs(steady_force(*b.friction, b.velocity(creep * velocity)));
+        more += b.ratio * std::max(0.0, std::max(static_force(*b.friction), creeping) - sliding);
     }
     return joint.mechanism.model == Model::single_mass ? more / (1 - joint.friction.load_coefficient) : more;
 }

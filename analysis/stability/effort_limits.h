@@ -39,8 +39,8 @@ Joint acting_joint(const Joint& joint);
 /// side, and drift of friction as far as it goes.
 std::optional<LowLimit> low_limit(const Joint& joint, double velocity);
 
-/// The same of a joint that is at rest and is to go on at V: what has to break is its static friction. A joint with
-/// such a limit stays where it came to rest.
+/// The same of a joint that is at rest, or creeps at a hundredth of V, and is to go on at V: what has to break is its
+/// static friction, or that of the creep. A joint with such a limit stays where it came to rest.
 std::optional<LowLimit> low_limit_at_rest(const Joint& joint, double velocity);
 
 }  // namespace stickslip

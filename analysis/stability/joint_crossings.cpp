@@ -15,6 +15,23 @@
 namespace stickslip {
 namespace {
 
+/// By how many the roots right of the axis change at a crossing: a pair, and one alone through 0.
+int roots_over(const Crossing& crossing)
+{
+    return crossing.omega == 0 ? crossing.direction : 2 * crossing.direction;
+}
+
+/// The gain that only just holds what pushes the link away from the surface, or lifts its load off: below it a root on
+/// the real axis is right of 0.
+void add_holding_gain(const LinearJoint& j, double searched_to, std::vector<Crossing>& crossings)
+{
+    if (std::none_of(j.contact.begin(), j.contact.begin() + j.bodies, [](double w) { return w < 0; })) return;
+    const double k_p = gain_at(j, Gain::k_p, 0);
+    if (!(k_p > 0 && k_p <= searched_to) || !std::isfinite(k_p)) return;
+    const auto behind = std::ranges::upper_bound(crossings, k_p, {}, &Crossing::k_p);
+    crossings.insert(behind, {k_p, 0, crossing_direction(j, Gain::k_p, k_p, 0)});
+}
+
 /// p(−s)
 Polynomial mirrored(Polynomial p)
 {
@@ -123,7 +140,7 @@ class CountedProbes {
     bool stepped(std::size_t low, int at_low, std::size_t high, int at_high)
     {
         std::vector<int> roots{at_low};
-        for (std::size_t i = low; i < high; ++i) roots.push_back(roots.back() + 2 * crossings_[i].direction);
+        for (std::size_t i = low; i < high; ++i) roots.push_back(roots.back() + roots_over(crossings_[i]));
         if (roots.back() != at_high || *std::min_element(roots.begin(), roots.end()) < 0) return false;
         for (std::size_t i = low; i <= high; ++i) unstable_[i] = roots[i - low] > 0;
         return true;
@@ -164,9 +181,9 @@ std::optional<std::vector<Interval>> stable_by_count(const LinearJoint& j, const
     std::vector<int> right{*here};
     for (const auto& c : crossings) {
         bounds.push_back(c.k_p);
-        right.push_back(right.back() + 2 * c.direction);
+        right.push_back(right.back() + roots_over(c));
         if (c.k_p < own)
-            for (int& n : right) n -= 2 * c.direction;
+            for (int& n : right) n -= roots_over(c);
     }
     bounds.push_back(std::max(searched_to, bounds.back()));
     if (*std::min_element(right.begin(), right.end()) < 0) return std::nullopt;
@@ -193,6 +210,7 @@ std::optional<std::vector<Interval>> stable_by_count(const LinearJoint& j, const
 std::vector<Crossing> rational_crossings(const LinearJoint& j, Gain gain)
 {
     std::vector<Crossing> found;
+    if (gain == Gain::k_p) add_holding_gain(j, infinity, found);
     const auto at = separators(misphase_polynomial(j, gain));
     if (at.empty()) return found;
     std::vector<double> points{std::sqrt(at.front()) / 2};
@@ -225,6 +243,7 @@ CrossingSearch crossings(const LinearJoint& j)
     }
     const auto limit = gain_limit(j);
     auto found = search_crossings(j, limit.search);
+    add_holding_gain(j, found.searched_to, found.crossings);
     if (found.searched_to == limit.search) found.searched_to = limit.complete_to;
     return found;
 }

@@ -223,7 +223,10 @@ LinearVerdict real_verdict(const Joint& joint, LinearVerdict verdict)
     }
     memory.stable = memory.spectral_abscissa < 0;
     memory.neutral = memory.spectral_abscissa == 0;
-    if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p)) take_gains(memory, turned_gains(*turned));
+    if (const auto turned = real_loop(joint, linear, V, TurnedGain::k_p))
+        take_gains(memory, turned_gains(*turned));
+    else
+        memory.searched_from = memory.searched_to = gains_of(joint.control).k_p;
     take_velocity_only(joint, linear, V, simple);
     return verdict;
 }

@@ -46,6 +46,8 @@ std::string why_text(WhyNot why)
             return "control.force_rate gives the velocity";
         case WhyNot::other_kind:
             return "position control has no such term";
+        case WhyNot::told_velocity:
+            return "a sampled loop with form = \"exact\" is told its velocity and estimates none";
         case WhyNot::unsupported:
             return "this loop is not computed with such friction";
     }

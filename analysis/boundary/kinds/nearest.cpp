@@ -100,13 +100,15 @@ class NearestSearch {
     std::optional<bool> side_at(const Vector& q)
     {
         ++result_.evaluations;
-        return is_stable(movable_.at(q), options_.theory);
+        const Joint& moved = movable_.at(q);
+        return movable_.allowed() ? is_stable(moved, options_.theory) : std::nullopt;
     }
 
     double measure(const Vector& q)
     {
         ++result_.evaluations;
-        return instability(movable_.at(q), options_.theory);
+        const Joint& moved = movable_.at(q);
+        return movable_.allowed() ? instability(moved, options_.theory) : missing;
     }
 
     /// The crossing that was located roughly along a direction, to crossing_precision.

@@ -46,6 +46,7 @@ double value_of(const Joint& given, const Coordinate& c)
 
 MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& coordinates) : joint_(joint)
 {
+    const auto leaves = parameters(joint_);
     for (const auto& c : coordinates) {
         const double value = value_in(joint_, c);
         if (std::isnan(value))
@@ -53,7 +54,11 @@ MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& co
                                             ? c.path + ": is 0 or no number of this joint"
                                             : c.path + " − " + c.less + ": is not a positive parameter of this joint");
         double* less = c.less.empty() ? nullptr : find_parameter(joint_, c.less);
-        numbers_.push_back({find_parameter(joint_, c.path), less, value, c.scale});
+        double* number = find_parameter(joint_, c.path);
+        const auto leaf = std::ranges::find(leaves, number, &Parameter::value);
+        Range range = leaf == leaves.end() ? Range{} : leaf->range;
+        range.whole = false;  // a number that is moved a little is between two
+        numbers_.push_back({number, less, value, c.scale, range});
     }
 }
 
@@ -66,6 +71,11 @@ const Joint& MovableJoint::at(const std::vector<double>& q)
             *n.value = n.from * std::exp(q[i] * n.scale) + (difference ? *n.less : 0);
         }
     return joint_;
+}
+
+bool MovableJoint::allowed() const
+{
+    return std::ranges::all_of(numbers_, [](const Number& n) { return n.range.holds(*n.value); });
 }
 
 Joint moved(const Joint& joint, const std::vector<Coordinate>& coordinates, const std::vector<double>& q)

@@ -1,6 +1,7 @@
 // The directions in which a joint may differ from its description: logarithms of magnitudes, and of differences such as
 // B − A on which stability hangs more plainly than on B.
 #pragma once
+#include "analysis/base/field.h"
 #include "analysis/joint/joint.h"
 #include "analysis/results/boundary.h"
 #include "analysis/results/point.h"
@@ -30,12 +31,15 @@ class MovableJoint {
     /// backwards stays one. Differences stand on moved numbers.
     /// Holds until the next call.
     const Joint& at(const std::vector<double>& q);
+    /// Whether every moved number is one that a joint may have, at the last call of at().
+    bool allowed() const;
 
   private:
     struct Number {
         double* value;
         double* less;  ///< null for a plain number
         double from, scale;
+        Range range;
     };
     Joint joint_;
     std::vector<Number> numbers_;

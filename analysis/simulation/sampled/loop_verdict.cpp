@@ -333,6 +333,12 @@ bool LoopInquiry::begin_search(Phase phase)
 
 void LoopInquiry::judge_search(const LoopEnd& large)
 {
+    if (large.kind == LoopEnd::Kind::steady && follow_.stays) {
+        // the starts that were followed kept away from where no effort of the loop gets the joint going again
+        LoopEnd held;
+        held.kind = LoopEnd::Kind::held, held.stick_fraction = 1;
+        return judge_search(held);
+    }
     if (large.kind == LoopEnd::Kind::steady) verdict_.region = NonlinearRegion::stable;
     if (large.oscillates()) verdict_.region = NonlinearRegion::bistable, verdict_.cycle = large;
     if (verdict_.region != NonlinearRegion::undecided) return;

@@ -48,10 +48,17 @@ void print_rows(const Table& table)
     for (const auto& row : table.rows) fmt::print("  {:<40} {}\n", plain_text(row[0]), plain_text(row[1]));
 }
 
+void print_rest(const JointEvaluation& e)
+{
+    fmt::print("{}\n", plain_text(set_point_text(*e.rest, e.units())));
+    print_rows(set_point_table(*e.rest, e.units()));
+}
+
 void print_text(const JointEvaluation& e, const std::string& servo)
 {
-    if (e.rest) fmt::print("{}\n", plain_text(set_point_text(*e.rest, e.units())));
-    if (e.rest) print_rows(set_point_table(*e.rest, e.units()));
+    // what is open about a set point that was not asked for comes behind the answer about the motion that was
+    const bool behind = e.rest && !e.only_rest() && e.rest->hunting == Hunting::undecided;
+    if (e.rest && !behind) print_rest(e);
     if (!e.only_rest()) {
         if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
         if (!e.contradicting.empty())
@@ -62,6 +69,7 @@ void print_text(const JointEvaluation& e, const std::string& servo)
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }
+    if (behind) print_rest(e);
     if (e.left_out) fmt::print("{}\n", left_out_text(e.left_out->loop, e.left_out->growth));
     for (const auto& mode : e.near) fmt::print("warning: {}\n", plain_text(near_mode_text(mode, e.units())));
     if (e.integral) fmt::print("{}\n", plain_text(integral_text(*e.integral, e.units())));

@@ -219,3 +219,22 @@ TEST_CASE("the robustly stable set ends where the worst corner turns unstable", 
     REQUIRE(edge.pieces.size() == 1);
     for (const auto& p : edge.pieces[0].points) CHECK(p.x == Approx(5e4 * 1.1 / 0.8).epsilon(1e-6));
 }
+
+TEST_CASE("No nearest boundary lies at a number that a joint cannot have", "[boundary][nearest]")
+{
+    // stiction fades over the Stribeck velocity: slides smoothly only where static friction is less than it can be
+    Joint joint = example_joint(2e4, 10, 1e-3);
+    MaxwellSlip law;
+    law.elements.push_back({1e5, 5}), law.elements.push_back({3e5, 3});
+    law.viscous = 1, law.static_ratio = 1.1, law.stribeck_velocity = 1e-3, law.attraction = 30;
+    joint.friction.law = law;
+    const std::vector<Coordinate> ratio{{"friction.static_ratio", ""}};
+    MovableJoint movable(joint, ratio);
+    movable.at({std::log(1.05 / 1.1)});
+    CHECK(movable.allowed());
+    movable.at({std::log(0.9 / 1.1)});
+    CHECK_FALSE(movable.allowed());
+    const auto nearest = nearest_boundary(joint, ratio, {});
+    CHECK(nearest.decided);
+    for (const auto& m : nearest.moves) CHECK(m.to >= 1);
+}

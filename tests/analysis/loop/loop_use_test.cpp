@@ -83,3 +83,18 @@ TEST_CASE("Keys of another kind of control, or overruled by one, are told", "[lo
     joint.control.force_rate = not_set;
     CHECK_FALSE(told(loop_use(joint), "control.V0"));
 }
+
+TEST_CASE("A sampled loop that is told its velocity says that it filters none", "[loop]")
+{
+    Joint joint = ticked_joint(60e3);
+    joint.control.velocity_estimate = {EstimateForm::exact, 0.05, 4};
+    for (const char* key : {"control.velocity_estimate.tau", "control.velocity_estimate.average"}) {
+        const LoopUse use = loop_use(joint);
+        const auto* term = told(use, key);
+        REQUIRE(term);
+        CHECK(term->why == WhyNot::told_velocity);
+        CHECK(term->matters);
+    }
+    joint.control.period = not_set;
+    CHECK_FALSE(told(loop_use(joint), "control.velocity_estimate.tau"));
+}

@@ -6,6 +6,7 @@
 #include "analysis/stability/linear_joint.h"
 #include "analysis/stability/neighbour_modes.h"
 #include "analysis/stability/verdict.h"
+#include "tests/analysis/simulation/joints.h"
 #include "tests/oracles/matrices.h"
 
 using namespace stickslip;
@@ -132,4 +133,34 @@ TEST_CASE("a drive's gain beside a neighbour is the same loop as its product wit
     driven.control.k_p /= 2, driven.control.k_v /= 2;
     CHECK(linear_verdict(driven).state_variable.spectral_abscissa ==
           Approx(linear_verdict(ideal).state_variable.spectral_abscissa).epsilon(1e-6));
+}
+
+TEST_CASE("A load that lifts off as the link moves takes a root through 0 at the gain that just holds it",
+          "[stability]")
+{
+    // Z(0) = k_p + k_c + mu n_0: below k_p = 0.6 * 1742.9 - 271.3 = 774.44 N/m nothing holds the link
+    Joint joint = example_joint(6700, 250, 1e-3);
+    std::get<RateAndState>(joint.friction.law).B[0] = 1.01;
+    joint.control.contact_stiffness = 271.3;
+    joint.normal.displacement = -1742.9, joint.normal.mu = 0.6;
+    for (const double delay : {0.0, 1e-3}) {
+        CAPTURE(delay);
+        if (delay > 0) {
+            Kernel kernel;
+            kernel.f0 = 60, kernel.f_v = 1000, kernel.V_star = 1e-3;
+            kernel.impulses.push_back({10, delay});
+            joint.friction.law = kernel;
+        }
+        const auto memory = linear_verdict(joint).state_variable;
+        REQUIRE(memory.stable_intervals.size() == 1);
+        CHECK(memory.stable_intervals[0].low == Approx(774.44).epsilon(1e-9));
+        REQUIRE_FALSE(memory.crossings.empty());
+        CHECK(memory.crossings[0].omega == 0);
+        CHECK(memory.crossings[0].direction == -1);
+        for (const double k_p : {770.0, 780.0}) {
+            Joint at = joint;
+            at.control.k_p = k_p;
+            CHECK((growth_rate(at) < 0) == (k_p > 774.44));
+        }
+    }
 }

@@ -125,3 +125,15 @@ TEST_CASE("Under an integral the windows of the velocity gain of a sampled loop 
             CHECK((growth_rate(joint) < 0) == (c.k_v > windows[0].low && c.k_v < windows[0].high));
         }
 }
+
+TEST_CASE("Where no gain but its own was looked at, a loop claims no set of stable gains", "[loop]")
+{
+    Joint joint = differencing_joint(20e3, 0);
+    joint.friction.law = CoulombViscous{1.1, 22};
+    joint.control.kind = ControlKind::force, joint.control.force_gain = 0.44, joint.control.delay = 3e-3;
+    const auto memory = linear_verdict(joint).state_variable;
+    REQUIRE(std::isfinite(memory.spectral_abscissa));
+    CHECK(memory.stable_intervals.empty());
+    CHECK(memory.searched_from == 20e3);
+    CHECK(memory.searched_to == 20e3);
+}

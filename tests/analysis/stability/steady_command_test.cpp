@@ -104,7 +104,7 @@ TEST_CASE("A limit that the effort of steady sliding stands at leaves no steady 
     REQUIRE(low);
     CHECK(low->needed == Approx(60));
     CHECK(possible_sliding(joint).reason == Reason::limit_too_low);
-    CHECK(nonlinear_verdict(joint).detail == Detail::effort_limit);
+    CHECK(nonlinear_verdict(joint, {}).detail == Detail::effort_limit);
     joint.control.effort_limit = 60 * (1 + 1e-9);
     CHECK_FALSE(low_limit(joint, 1e-3));
 }

@@ -13,7 +13,8 @@ struct LoopEnd {
     double amplitude = missing, period = missing, velocity_min = missing, velocity_max = missing;
     double stick_fraction = missing;
     double amplitude_spread = 0;  ///< from turn to turn, per amplitude: largest less smallest
-    double jitter = missing;      ///< of cycles that an encoder or noise disturbs: standard deviation of the amplitude
+    double jitter =
+        missing;  ///< standard deviation of the amplitude where an encoder or noise disturbs it, or turns are not alike
     double first_peak = missing;  ///< largest position excess of the first turn
     double cycle_peak = missing;  ///< the same of the turns that amplitude is taken from, of cycles only
     bool reversed = false;

@@ -23,6 +23,7 @@ constexpr double slow_growth = 4e-3;       ///< of ln amplitude a turn: slower m
 constexpr double waits = 0.7;              ///< of the change over a block that the next one leaves
 constexpr double jump = 0.4;               ///< of ln amplitude
 constexpr double uneven_turns = 0.05;      ///< spread of amplitudes beyond which turns are not alike
+constexpr double riding = 2;               ///< a whole motion over its mean turn, from which on it is the measure
 constexpr double same_turn = 1e-3;         ///< to which turns of a period-n motion repeat
 constexpr double same_of_spread = 0.02;    ///< the same, per their spread: ticks cut each of them elsewhere
 constexpr std::size_t longest_repeat = 8;  ///< turns
@@ -178,11 +179,12 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
     LoopEnd end = ended(kind);
     auto first = turns_.end() - static_cast<std::ptrdiff_t>(std::min(count, turns_.size()));
     if (first == turns_.begin() && turns_.size() > 1) ++first;  // it began when the watch did, somewhere in a turn
-    double time = 0, rest = 0, low = infinity, high = 0;
+    double time = 0, rest = 0, low = infinity, high = 0, squares = 0, left = infinity, right = -infinity;
     end.amplitude = 0, end.velocity_min = infinity, end.velocity_max = -infinity, end.cycle_peak = -infinity;
     for (auto t = first; t != turns_.end(); ++t) {
-        end.amplitude += t->amplitude();
+        end.amplitude += t->amplitude(), squares += t->amplitude() * t->amplitude();
         low = std::min(low, t->amplitude()), high = std::max(high, t->amplitude());
+        left = std::min(left, t->position_min), right = std::max(right, t->position_max);
         time += t->period(), rest += t->rest_time;
         end.velocity_min = std::min(end.velocity_min, t->velocity_min);
         end.velocity_max = std::max(end.velocity_max, t->velocity_max);
@@ -193,6 +195,11 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
     const double n = static_cast<double>(turns_.end() - first);
     end.amplitude /= n;
     end.amplitude_spread = (high - low) / end.amplitude;
+    if (kind == LoopEnd::Kind::irregular) {
+        // a mean alone would pass for that of turns that are alike, and short turns may ride on a far larger swing
+        end.jitter = std::sqrt(std::max(0.0, squares / n - end.amplitude * end.amplitude));
+        if (const double swing = 0.5 * (right - left); swing > riding * end.amplitude) end.amplitude = swing;
+    }
     end.period = time / n;
     end.stick_fraction = rest / time;
     return end;
@@ -200,7 +207,8 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
 
 LoopEnd LoopFollower::repeated(int turns) const
 {
-    LoopEnd end = measured(LoopEnd::Kind::period_n, 4 * block);
+    const auto n = static_cast<std::size_t>(turns);
+    LoopEnd end = measured(LoopEnd::Kind::period_n, std::min(4 * block, turns_.size() - 1) / n * n);
     end.repeats = turns;
     end.period *= turns;
     return end;
@@ -213,6 +221,15 @@ bool LoopFollower::waits_for_integral(const LoopTurn& turn) const
     constexpr double folds = 20;  // until nothing is left of it
     const double a_turn = options_.winds * turn.period();
     return a_turn * static_cast<double>(block) < 1 && a_turn * options_.turn_limit > folds;
+}
+
+/// An integral that gets there within the limit of turns has not yet found its level: turns that repeat each other, or
+/// do not at all, go on changing with it.
+bool LoopFollower::integral_on_its_way(const LoopTurn& turn) const
+{
+    constexpr double folds = 3;  // until a twentieth of its way is left
+    const double a_turn = options_.winds * turn.period();
+    return a_turn * options_.turn_limit > folds && a_turn * all_turns_ < folds;
 }
 
 std::optional<LoopEnd> LoopFollower::decide()
@@ -242,7 +259,8 @@ std::optional<LoopEnd> LoopFollower::decide()
             return repeated(repeats);
         return measured(LoopEnd::Kind::cycle, still && std::abs(change) > closed ? block : 2 * block);
     }
-    if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread) {
+    if (now.spread > uneven_turns && blocks_ >= rounds_before_uneven && std::abs(change) < now.spread &&
+        !integral_on_its_way(last)) {
         const int repeats = turns_to_repeat(turns_);
         return repeats > 1 ? repeated(repeats) : measured(LoopEnd::Kind::irregular, 4 * block);
     }

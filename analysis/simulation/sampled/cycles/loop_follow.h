@@ -64,6 +64,7 @@ class LoopFollower {
     bool repeats_evenly() const;
     double last_growth() const;
     bool waits_for_integral(const LoopTurn& turn) const;
+    bool integral_on_its_way(const LoopTurn& turn) const;
     std::optional<LoopEnd> decide();
     void scale_motion(double by);
     LoopEnd measured(LoopEnd::Kind kind, std::size_t count) const;

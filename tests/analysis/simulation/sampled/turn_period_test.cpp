@@ -1,6 +1,7 @@
 // The period of a cycle in a sampled loop is that of whole turns, wherever the first one began.
 #include "analysis/simulation/attractor/nonlinear.h"
 #include "analysis/simulation/sampled/loop_record.h"
+#include "tests/analysis/simulation/joints.h"
 
 #include <catch2/catch.hpp>
 
@@ -56,4 +57,22 @@ TEST_CASE("the period of stick-slip in a sampled loop is that of its motion, in 
         CHECK(nonlinear_verdict(forwards, {}).period == Approx(truth).epsilon(1e-4));
         CHECK(nonlinear_verdict(backwards, {}).period == Approx(truth).epsilon(1e-4));
     }
+}
+
+TEST_CASE("Slowed below where its limit holds friction a loop stops for good, so that steady sliding is not all",
+          "[loop]")
+{
+    // 60 N at V_0, and 0.5 N more for each e-fold less: 60.5 N are passed at 0.37 V_0
+    Joint joint = ticked_joint(70e3);
+    joint.control.effort_limit = 60.5;
+    const auto small = nonlinear_verdict(joint, {});
+    CHECK(small.outcome == Outcome::stable_sliding);
+    CHECK(small.region == NonlinearRegion::bistable);
+    NonlinearOptions pushed;
+    pushed.disturbance = {DisturbanceKind::offset, 1e-4};
+    CHECK(nonlinear_verdict(joint, pushed).outcome == Outcome::held);
+    pushed.disturbance.size = 3e-5;
+    CHECK(nonlinear_verdict(joint, pushed).outcome == Outcome::stable_sliding);
+    joint.control.effort_limit = 66;
+    CHECK(nonlinear_verdict(joint, {}).region == NonlinearRegion::stable);
 }

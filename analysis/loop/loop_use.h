@@ -36,8 +36,7 @@ constexpr std::string_view name_of(WhyNot why)
 {
     constexpr std::string_view names[] = {"small-signal", "rounding",    "place",          "time",           "backlash",
                                           "needs-period", "no-feedback", "reference-only", "load-direction", "fed-back",
-                                          "unsupported",  "overruled",   "other-kind",
-                                          "told-velocity"};
+                                          "unsupported",  "overruled",   "other-kind",     "told-velocity"};
     static_assert(std::size(names) == static_cast<std::size_t>(WhyNot::told_velocity) + 1);
     return names[static_cast<std::size_t>(why)];
 }

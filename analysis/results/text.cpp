@@ -48,6 +48,7 @@ std::string plain_number(double value, int digits)
 {
     if (std::isnan(value)) return "–";
     if (std::isinf(value)) return value < 0 ? std::string(minus) + "∞" : "∞";
+    if (value == 0) value = 0;  // −0 is none
     const double size = std::abs(rounded(value, digits));
     if (size == 0 || (size >= 1e-3 && size < std::pow(10, std::max(digits, 5)))) {
         if (size >= std::pow(10, digits)) {  // no exponent yet: all digits before the point

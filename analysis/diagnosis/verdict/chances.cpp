@@ -38,6 +38,15 @@ double part_kept(const JudgedLadder& j)
     return taken < enough ? taken / enough : 1;
 }
 
+/// Whether a number of the document would be further off than documents are, beside all causes.
+bool holds_a_number_back(const FittedSet& set)
+{
+    const Candidate& c = set.model.candidate;
+    for (std::size_t i = 0, at = 0; i < set.model.corrections; at += c.count_of(*c.forms[i++]))
+        if (!Corrections::is_small_term(*c.effects[i]) && Corrections::at_its_bound(c, i, at, set.fit.x)) return true;
+    return false;
+}
+
 }  // namespace
 
 std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
@@ -80,7 +89,10 @@ std::vector<double> chances_of(const JudgedLadder& j)
         const double sum = std::accumulate(odds.begin(), odds.end(), 1.0);
         // a rest speaks against the last cause that was found: the others take more than it does
         const bool last = i + 1 == j.ladder.rungs.size();
-        chances.push_back(std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum * (last ? part_kept(j) : 1));
+        double chance = std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum * (last ? part_kept(j) : 1);
+        if (last && !j.noise_left && holds_a_number_back(j.ladder.rungs[i]))
+            chance = std::min(chance, policy::believed_held_back);
+        chances.push_back(chance);
     }
     return chances;
 }

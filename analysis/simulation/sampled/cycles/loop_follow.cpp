@@ -195,11 +195,14 @@ LoopEnd LoopFollower::measured(LoopEnd::Kind kind, std::size_t count) const
     const double n = static_cast<double>(turns_.end() - first);
     end.amplitude /= n;
     end.amplitude_spread = (high - low) / end.amplitude;
+    const double swing = 0.5 * (right - left);
     if (kind == LoopEnd::Kind::irregular) {
         // a mean alone would pass for that of turns that are alike, and short turns may ride on a far larger swing
         end.jitter = std::sqrt(std::max(0.0, squares / n - end.amplitude * end.amplitude));
-        if (const double swing = 0.5 * (right - left); swing > riding * end.amplitude) end.amplitude = swing;
+        if (swing > riding * end.amplitude) end.amplitude = swing;
     }
+    // the cycle is all that repeats, as its period is
+    if (kind == LoopEnd::Kind::period_n) end.amplitude = swing;
     end.period = time / n;
     end.stick_fraction = rest / time;
     return end;

@@ -51,6 +51,11 @@ Ladder LadderSearch::finished(FittedSet set)
         const auto others = climber_->in_place_of(ladder.rungs[i], below);
         ladder.rivals.emplace_back(others.begin(), others.end());
     }
+    // what makes the very motion of the last rung may have been judged at a higher floor than it
+    auto& of_last = ladder.rivals.back();
+    for (auto& rival : of_last)
+        if (makes_the_motion_of(ladder.last().causes, rival.causes)) rival = climber_->compared({rival});
+    std::ranges::stable_sort(of_last, {}, &FittedSet::misfit);
     if (ladder.rungs.size() == 1) add_wrong_numbers(ladder);
     try_rivals_in_the_last(ladder);
     correct_alone(ladder);

@@ -1,5 +1,7 @@
 // What is asked of a set that a climb has found: in which order its causes count, and what could stand in their place.
 #include "analysis/diagnosis/ladder/climber.h"
+
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/policy/ladder.h"
 
 #include <algorithm>
@@ -81,6 +83,9 @@ std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidat
     }
     parallel_(others.size(), [&](std::size_t i) {
         FittedSet& other = others[i];
+        // of what makes the very motion a correction of the same number is none of the cause's: gravity is documented
+        // with an amplitude, and what an encoder's offset moves is its angle
+        if (makes_the_motion_of(set.causes, other.causes)) return;
         if (other.misfit > set.misfit + policy::out_of_question * margin_of(set, rules_)) return;
         for (const Effect* cause : set.causes.effects)
             if (std::ranges::count(below.effects, cause) + std::ranges::count(other.causes.effects, cause) == 0)

@@ -124,6 +124,27 @@ TEST_CASE("a gravity of nearly the documented size at another angle is a cause, 
     CHECK(c.ladder.rungs[0].causes.effects[0]->name == "gravity");
 }
 
+TEST_CASE("an encoder that is off makes the motion of gravity at another angle, however far off its amplitude is",
+          "[gap][ladder][slow]")
+{
+    Joint document = test::nominal_arm();
+    document.load.gravity_amplitude = 10;
+    Machine m;
+    m.gravity = 10 * 0.95, m.gravity_angle = 0.1;
+    m.amplitude = 4;
+    const Climbed c(m, document, {"viscous", "constant-load", "gravity", "sensor-offset"});
+    REQUIRE(c.ladder.rungs.size() == 1);
+    const auto& named = c.ladder.rungs[0];
+    const auto& rivals = c.ladder.rivals[0];
+    const auto is_other = [&](const FittedSet& set) {
+        const auto name = set.causes.effects[0]->name;
+        return name != named.causes.effects[0]->name && (name == "gravity" || name == "sensor-offset");
+    };
+    const auto other = std::ranges::find_if(rivals, is_other);
+    REQUIRE(other != rivals.end());
+    CHECK(std::abs(other->misfit - named.misfit) < margin_of(named, policy::ladder));
+}
+
 TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder][slow]")
 {
     Machine m;

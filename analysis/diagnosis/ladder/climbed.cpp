@@ -54,7 +54,7 @@ Ladder LadderSearch::finished(FittedSet set)
     // what makes the very motion of the last rung may have been judged at a higher floor than it
     auto& of_last = ladder.rivals.back();
     for (auto& rival : of_last)
-        if (makes_the_motion_of(ladder.last().causes, rival.causes)) rival = climber_->compared({rival});
+        if (move_alike(ladder.last().causes, rival.causes)) rival = climber_->compared({rival});
     std::ranges::stable_sort(of_last, {}, &FittedSet::misfit);
     if (ladder.rungs.size() == 1) add_wrong_numbers(ladder);
     try_rivals_in_the_last(ladder);

@@ -8,6 +8,11 @@
 
 namespace stickslip::gap {
 
+bool move_alike(const Candidate& one, const Candidate& other)
+{
+    return makes_the_motion_of(one, other) || makes_the_motion_of(other, one);
+}
+
 double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect) const
 {
     for (std::size_t i = 0; i < set.model.corrections; ++i)
@@ -85,7 +90,7 @@ std::vector<FittedSet> Climber::in_place_of(const FittedSet& set, const Candidat
         FittedSet& other = others[i];
         // of what makes the very motion a correction of the same number is none of the cause's: gravity is documented
         // with an amplitude, and what an encoder's offset moves is its angle
-        if (makes_the_motion_of(set.causes, other.causes)) return;
+        if (move_alike(set.causes, other.causes)) return;
         if (other.misfit > set.misfit + policy::out_of_question * margin_of(set, rules_)) return;
         for (const Effect* cause : set.causes.effects)
             if (std::ranges::count(below.effects, cause) + std::ranges::count(other.causes.effects, cause) == 0)

@@ -96,10 +96,10 @@ std::vector<std::vector<std::string>> fewer_numbers(const Prepared& p, const Jud
     constexpr double hardly_held = 100;  // numerical: of a prior's width; what stands along it is open
     Attribution free = j.winner;
     const Candidate& c = free.candidate;
-    // levels of single records stay as near to the common one as they are: freed with it, they would divide it anyhow
+    // levels of single records stay where they are: moved with the common one, they would leave it open anyhow
     for (std::size_t n = 0, i = 0; n < j.corrections; i += c.count_of(*c.forms[n++]))
-        for (std::size_t k = 0; c.forms[n]->own == 0 && k < c.count_of(*c.forms[n]); ++k)
-            free.candidate.prior_sd[i + k] *= hardly_held;
+        for (std::size_t k = 0; k < c.count_of(*c.forms[n]); ++k)
+            free.candidate.prior_sd[i + k] *= c.forms[n]->own == 0 ? hardly_held : 1 / hardly_held;
     const auto covariance = quality_of(p.cases, free, p.scales).covariance;
     std::vector<std::vector<std::string>> sets;
     Eigen::Index at = 0;

@@ -24,10 +24,14 @@ bool same(const LinearFriction& a, const LinearFriction& b)
 
 void take_single_gain(StableGains& gains)
 {
+    // the gain that just holds a pushing contact is critical only where no oscillation asks for more
     const auto& stable = gains.stable;
-    if (gains.crossings.size() != 1 || stable.size() != 1 || stable[0].low != gains.crossings[0].k_p) return;
-    gains.k_cr = gains.crossings[0].k_p;
-    gains.omega = gains.crossings[0].omega;
+    const auto swinging = std::ranges::count_if(gains.crossings, [](const Crossing& c) { return c.omega > 0; });
+    if (gains.crossings.empty() || (gains.crossings.size() > 1 && swinging > 1)) return;
+    const Crossing& last = gains.crossings.back();
+    if (stable.size() != 1 || stable[0].low != last.k_p) return;
+    gains.k_cr = last.k_p;
+    gains.omega = last.omega;
 }
 
 bool gain_moves_sliding(const Joint& joint)

@@ -375,7 +375,7 @@ TEST_CASE("a sweep along one axis without any verdict says so, and no axis is bl
     const auto run = stickslip("sweep '" + weak + "' -o '" + (folder / "out") + "'");
     INFO(run.output);
     CHECK(run.exit_code == 4);
-    CHECK_THAT(run.output, Contains("7 points have no verdict: the effort limit is below"));
+    CHECK_THAT(run.output, Contains("7 points have no verdict: the effort limit is not above"));
     CHECK_THAT(run.output, !Contains("no linear verdict of this joint depends") && !Contains("finite value"));
     CHECK(std::filesystem::exists(folder / "out/report.html"));
 }

@@ -22,8 +22,7 @@ std::optional<SetPoint> resting(const Joint& joint)
     const auto& c = joint.control;
     const bool helped = c.feed_forward.fed_back() || c.dither.amplitude > 0;
     if (!integrates(joint) && !helped && c.V0 != 0) return std::nullopt;
-    // what starts come to is asked for by a set point alone: it takes most of the work
-    return set_point(joint, c.V0 == 0 ? SetPointQuestion{} : quick_set_point);
+    return set_point(joint);
 }
 
 /// What studies are of: the sum of gains, whose k_p and k_v can be turned, where that is the same loop.

@@ -129,7 +129,7 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& v, TakenOut ta
     const Units units = units_of(joint);
     if (v.steady.reason == Reason::no_steady_state) return "Undecided: the design point has no steady sliding.";
     if (v.steady.reason == Reason::limit_too_low)
-        return "No steady sliding: the effort limit is below what it takes against " +
+        return "No steady sliding: the effort limit is not above what it takes against " +
                resistance_words(joint, v.steady.friction) + ".";
     if (v.steady.reason != Reason::none)
         return "Undecided at the design point: " + reason_text(v.steady.reason, joint) + ".";

@@ -51,10 +51,12 @@ Ladder LadderSearch::finished(FittedSet set)
         const auto others = climber_->in_place_of(ladder.rungs[i], below);
         ladder.rivals.emplace_back(others.begin(), others.end());
     }
-    // what makes the very motion of the last rung may have been judged at a higher floor than it
+    // what makes the very motion of the last rung cannot be distinguished from it, unless it was judged at a higher
+    // floor
     auto& of_last = ladder.rivals.back();
+    const double near = ladder.last().misfit + margin_of(ladder.last(), rules_);
     for (auto& rival : of_last)
-        if (move_alike(ladder.last().causes, rival.causes)) rival = climber_->compared({rival});
+        if (rival.misfit > near && move_alike(ladder.last().causes, rival.causes)) rival = climber_->compared({rival});
     std::ranges::stable_sort(of_last, {}, &FittedSet::misfit);
     if (ladder.rungs.size() == 1) add_wrong_numbers(ladder);
     try_rivals_in_the_last(ladder);

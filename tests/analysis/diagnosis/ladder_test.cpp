@@ -142,7 +142,8 @@ TEST_CASE("an encoder that is off makes the motion of gravity at another angle, 
     };
     const auto other = std::ranges::find_if(rivals, is_other);
     REQUIRE(other != rivals.end());
-    CHECK(other->misfit < named.misfit + margin_of(named, policy::ladder));
+    // noise, as the one named leaves; its numbers may cost more
+    CHECK(other->misfit < named.misfit + policy::out_of_question * margin_of(named, policy::ladder));
 }
 
 TEST_CASE("a number that is far off against its prior is a cause", "[gap][ladder][slow]")

@@ -8,24 +8,20 @@ namespace stickslip {
 namespace {
 
 constexpr double far = 100;        ///< of the larger of the least start and the slips
-constexpr int most_slips = 40;     ///< after which a motion that goes on is one of a cycle,
-constexpr int last_slips = 10;     ///< unless over so many of them
-constexpr double shrinks = 0.5;    ///< it has come down to this part: then stops close in on the set point without end
+constexpr int most_slips = 40;     ///< after which a motion that goes on is one of a cycle
 constexpr int decades_beyond = 3;  ///< in which a loop that is unstable is seen to diverge
 constexpr double in_cycle = 0.02;  ///< of its stops, by which one differs that is taken to be of it
 
 StartEnd end_of_start(double x, const SetPoint& cycle, const std::function<SlipEnd(double)>& slip_from)
 {
     const bool even = is_set(cycle.amplitude) && !cycle.asymmetric && cycle.hunting == Hunting::yes;
-    double before = infinity;
     for (int i = 0; i < most_slips; ++i) {
         const auto slip = slip_from(x);
         if (slip.end) return *slip.end;
         x = slip.x;
-        if (i == most_slips - 1 - last_slips) before = std::abs(x);
-        if (even && std::abs(std::abs(x) - cycle.amplitude) < in_cycle * cycle.amplitude) return StartEnd::hunts;
+        if (even && std::abs(std::abs(x) - cycle.amplitude) < in_cycle * cycle.amplitude) break;
     }
-    return std::abs(x) < shrinks * before ? StartEnd::rests : StartEnd::hunts;
+    return StartEnd::hunts;
 }
 
 }  // namespace

@@ -116,19 +116,3 @@ TEST_CASE("a loop that diverges from far away hunts from nearby where friction b
     CHECK(slip < 1.5 * s.amplitude);
     CHECK(late_distance(held_from(joint, 10 * s.diverges_from(), 10)) > 1e3 * s.diverges_from());
 }
-
-TEST_CASE("stops that close in on the set point without end are no hunting", "[set-point]")
-{
-    // each slip ends on the other side at 0.145 of where it began, for as long as it is followed
-    Joint joint = regulated(1.8, 7660, 0, 153800, not_set, 0, {});
-    joint.control.velocity_estimate = {};
-    joint.mechanism.motion = Motion::revolute;
-    Stribeck law;
-    law.c0 = 1.785, law.c1 = 13.1, law.c2 = 0.3315, law.c3 = 4.48e-3, law.c4 = 3;
-    joint.friction.law = law;
-    const auto s = set_point(joint);
-    REQUIRE(s.hunting == Hunting::no);
-    REQUIRE_FALSE(s.by_start.empty());
-    for (const auto& range : s.by_start) CHECK(range.end != StartEnd::hunts);
-    CHECK(late_distance(held_from(joint, 1e-4, 20)) < 1e-5);
-}

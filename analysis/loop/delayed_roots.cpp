@@ -15,8 +15,6 @@ using Complex = std::complex<double>;
 /// search for the root takes seconds there and ends without one (a falling curve of 7 kN·s/m on 1 kg, ticks of 10 ms).
 constexpr double hopeless = 300;
 
-constexpr double fewest_digits = 1e-8;  // of a root that is listed, per its size
-
 constexpr double most_growth = 18;  // of a term as a power of e, which leaves eight digits of what it is added to
 
 /// Whether the mechanism, without what delays of its friction take off it, grows within a tick by so much that no digit
@@ -111,10 +109,6 @@ DelayedSpectrum spectrum_by_matrix(const DelayedLoop& loop, double gain)
             if (s && std::none_of(found.begin(), found.end(), same)) found.push_back(*s);
         }
         sort_by_real_part(found);
-        // beside a pole of the controller a root may have few digits: the rightmost counts with those that it has
-        std::erase_if(found, [&, first = found.empty() ? Complex() : found.front()](Complex s) {
-            return s.real() < first.real() && !polished_root(open, gain, s, 1e-15 * size, fewest_digits);
-        });
         // Chebyshev nodes over a long dead time miss the fast roots of a stiff mechanism
         if (found.empty() || !is_rightmost(loop, gain, found.front().real(), std::abs(found.front()))) {
             const auto edge = rightmost_root(loop, gain);

@@ -32,7 +32,7 @@ Complex drift(const OpenedLoop& open, double gain, Complex s)
 
 }  // namespace
 
-std::optional<Complex> polished_root(const OpenedLoop& open, double gain, Complex s, double rounding, double vaguest)
+std::optional<Complex> polished_root(const OpenedLoop& open, double gain, Complex s, double rounding)
 {
     double last = infinity;
     for (int i = 0; i < 16; ++i) {
@@ -41,7 +41,7 @@ std::optional<Complex> polished_root(const OpenedLoop& open, double gain, Comple
         if (!std::isfinite(size)) return std::nullopt;
         s -= step;
         if (size <= std::max(1e-14 * std::abs(s), rounding)) return s;
-        if (size > 0.5 * last && size < vaguest * std::abs(s)) return s;
+        if (size > 0.5 * last && size < 1e-6 * std::abs(s)) return s;
         last = size;
     }
     return std::nullopt;

@@ -8,10 +8,10 @@
 
 namespace stickslip {
 
-/// Newton's method from `s`; nothing where it does not settle. A step of `rounding` is none, nor is one below `vaguest`
-/// of |s| that no longer shrinks: of slow roots of fast loops rounding takes the last digits.
+/// Newton's method from `s`; nothing where it does not settle. A step of `rounding` is none, nor is one that no longer
+/// shrinks beside a root: of slow roots of fast loops rounding takes the last digits.
 std::optional<std::complex<double>> polished_root(const OpenedLoop& open, double gain, std::complex<double> s,
-                                                  double rounding, double vaguest = 1e-6);
+                                                  double rounding);
 
 class RootSearch {
   public:

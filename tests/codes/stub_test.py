@@ -2,7 +2,7 @@
 """The stub of the room of words stands in for every sentence that an answer can hold. Run: stub_test.py BUILD
 
 What JSON, questions and studies call of sweep/words is a sentence, and has a stub in words.cpp beside this file; else
-the test codes would compare a sentence with itself and notice nothing. The exceptions are told below.
+the test schemas would compare a sentence with itself and notice nothing. The exceptions are told below.
 """
 import pathlib
 import re

@@ -121,4 +121,9 @@ bool makes_the_motion_of(const Candidate& one, const Candidate& rival)
            std::ranges::count(rival.forms[others[0]]->same_motion, one.effects[own[0]]->name) > 0;
 }
 
+bool move_alike(const Candidate& one, const Candidate& other)
+{
+    return makes_the_motion_of(one, other) || makes_the_motion_of(other, one);
+}
+
 }  // namespace stickslip::gap

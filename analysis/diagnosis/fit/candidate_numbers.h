@@ -19,5 +19,7 @@ double parameters_more(const Candidate& c, const Candidate& than);
 
 /// Whether a rival, some of its numbers at nothing, makes the very motion of the cause in whose place it stands.
 bool makes_the_motion_of(const Candidate& one, const Candidate& rival);
+/// The same either way.
+bool move_alike(const Candidate& one, const Candidate& other);
 
 }  // namespace stickslip::gap

@@ -9,7 +9,7 @@
 namespace stickslip::gap {
 namespace {
 
-constexpr std::string_view of_record = "coulomb-level of the record";
+constexpr std::string_view of_record = "coulomb-level of the record", load = "constant-load";
 
 /// A number of the friction: how it is read and changed, and how it grows through the reduction. An effort of the motor
 /// is N times as large at the joint; a slope is N squared times as large, as the motor also moves N times as fast.
@@ -109,7 +109,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
         number(Quantity::damping, Scale::load_damping, false, prior.viscous * drag, "change of the viscous slope"),
         [](Joint& to, const double* p) { change_friction(to, viscous_number, p[0]); }, false);
     add(
-        "constant-load", number(Quantity::effort, Scale::load_effort, false, prior.load * level, "constant load"),
+        load, number(Quantity::effort, Scale::load_effort, false, prior.load * level, "constant load"),
         [](Joint& to, const double* p) { to.load.constant += p[0]; }, false);
     if (const double gravity = std::abs(j.load.gravity_amplitude); gravity > 0) {
         add(
@@ -128,6 +128,18 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
             [](Joint& to, const double* p) { change_friction(to, coulomb_number, p[0]); }, true);
 }
 
+bool Corrections::is_released(std::string_view name) const
+{
+    return load_released_ && name == load;
+}
+
+void Corrections::release_load()
+{
+    load_released_ = true;
+    for (std::size_t i = 0; i < effects_.size(); ++i)
+        if (effects_[i].name == "gravity") sds_[i].back() = 0;
+}
+
 Corrected Corrections::beside(const Candidate& causes) const
 {
     Corrected all;
@@ -138,7 +150,7 @@ Corrected Corrections::beside(const Candidate& causes) const
     };
     for (std::size_t i = 0; i < effects_.size(); ++i) {
         const Effect& e = effects_[i];
-        if (is_cause(e.name)) continue;
+        if (is_cause(e.name) || is_released(e.name)) continue;
         all.candidate.effects.push_back(&e);
         all.candidate.forms.push_back(&e.forms[0]);
         const std::size_t count = all.candidate.count_of(e.forms[0]);
@@ -169,7 +181,7 @@ Corrected Corrections::but(Corrected all, std::size_t correction)
 bool Corrections::same_number(const Effect& effect, const EffectForm& form) const
 {
     return !form.own_number && std::ranges::any_of(effects_, [&](const Effect& own) {
-        return own.name == effect.name && !is_small_term(own);
+        return own.name == effect.name && !is_small_term(own) && !is_released(own.name);
     });
 }
 

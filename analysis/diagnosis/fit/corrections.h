@@ -27,6 +27,9 @@ class Corrections {
     /// or how fast it acts around these numbers of a fit.
     void add_small_term(const Effect& effect, const EffectForm& form, const Eigen::VectorXd& x);
     bool has(std::string_view name) const;
+    /// A load that no document states is no correction from now on, of any size, and neither is an angle of gravity,
+    /// which is one over a small travel.
+    void release_load();
     /// The effects that may be small terms, in the order in which they are looked for.
     static std::span<const std::string_view> small_terms();
     /// Whether a correction is a small term, no number of the document.
@@ -55,11 +58,13 @@ class Corrections {
                                  const Eigen::VectorXd& causes);
 
   private:
+    bool is_released(std::string_view name) const;
     void add(std::string_view name, const EffectParameter& parameter, void (*apply)(Joint&, const double*), bool own);
 
     std::deque<Effect> effects_;            // candidates point at them
     std::vector<std::vector<double>> sds_;  // of the numbers of each
     std::size_t records_;
+    bool load_released_ = false;
     double weight_, widest_;
     double usual_effort_ = 0, usual_drag_ = 0;  ///< largest small term, in units of a parameter's scale
     double small_sd_ = 0;                       ///< of the prior of its size

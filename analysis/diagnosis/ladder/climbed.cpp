@@ -118,6 +118,13 @@ std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
     return far;
 }
 
+Ladder LadderSearch::with_load_released(const std::vector<Attribution>& pairs, const OnlyNoise& only_noise)
+{
+    corrections_->release_load();
+    look_anew();
+    return climb(pairs, rules_.most_rungs, only_noise);
+}
+
 void LadderSearch::shorten(Ladder& ladder) const
 {
     ladder.rungs.pop_back();

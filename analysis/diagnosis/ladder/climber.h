@@ -16,9 +16,6 @@ namespace stickslip::gap {
 /// could not be a rung cannot be the cause in its place either.
 bool may_stand_for(const FittedSet& other, const FittedSet& set, const Candidate& below);
 
-/// Whether one of two sets makes the very motion of the other, whichever of them is named.
-bool move_alike(const Candidate& one, const Candidate& other);
-
 /// A number that the document states.
 struct Stated;
 

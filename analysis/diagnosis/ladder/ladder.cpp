@@ -71,6 +71,14 @@ void LadderSearch::begin()
     correct(corrected_);
 }
 
+void LadderSearch::look_anew()
+{
+    begin();
+    climber_->forget();
+    first_ = climber_->judged(climber_->looks(corrected_));
+    wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, false);
+}
+
 LadderSearch::~LadderSearch() = default;
 
 void LadderSearch::correct(FittedSet& set)
@@ -111,10 +119,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
     FittedSet set = climbed(pairs, most_rungs, only_noise);
     // a larger cause hides small terms: once it is found, they are found, too, and may change what is found with it
     while (set.causes.effects.size() < most_rungs && found_small_terms(set)) {
-        begin();
-        climber_->forget();
-        first_ = climber_->judged(climber_->looks(corrected_));
-        wrong_numbers_ = climber_->wrong_numbers(corrected_, *corrections_, false);
+        look_anew();
         set = climbed(pairs, most_rungs, only_noise);
     }
     // each search leads further down a jagged misfit, and what is half way down leaves too much beside its last cause

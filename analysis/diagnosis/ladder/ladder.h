@@ -110,6 +110,9 @@ class LadderSearch {
     /// it can be none, or a term of its kind is one already.
     std::optional<Ladder> with_small_term(const Ladder& ladder, const std::vector<Attribution>& pairs,
                                           const OnlyNoise& only_noise);
+    /// Climbed anew without a load that no document states among the corrections: a cause like any other, it has
+    /// rivals.
+    Ladder with_load_released(const std::vector<Attribution>& pairs, const OnlyNoise& only_noise);
     /// Ladders of sets with a scale of the effort (`Climber::over_a_scale`) that predict rows as well as this one does.
     std::vector<Ladder> over_a_scale(const Ladder& ladder);
     /// The ladder of causes that are known.
@@ -124,6 +127,8 @@ class LadderSearch {
 
   private:
     void begin();
+    /// Causes of the first rung and wrong numbers, beside other corrections than before.
+    void look_anew();
     /// Those that a rung could as well be, compared at the floor that the first of them leaves.
     FittedSet nearest_of(const std::vector<FittedSet>& tried, const FittedSet& next);
     FittedSet in_best_forms(FittedSet found);

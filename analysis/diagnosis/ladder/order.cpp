@@ -8,11 +8,6 @@
 
 namespace stickslip::gap {
 
-bool move_alike(const Candidate& one, const Candidate& other)
-{
-    return makes_the_motion_of(one, other) || makes_the_motion_of(other, one);
-}
-
 double Climber::misfit_as_documented(const FittedSet& set, const Effect& effect) const
 {
     for (std::size_t i = 0; i < set.model.corrections; ++i)

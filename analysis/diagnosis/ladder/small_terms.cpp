@@ -153,9 +153,7 @@ std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const 
     for (std::size_t i = 0; i < all.effects.size(); ++i)
         if (is_new(all.effects[i]))
             corrections_->add_small_term(*all.effects[i], *all.forms[i], ladder.last().of_member(i));
-    begin();
-    climber_->forget();
-    first_ = climber_->judged(climber_->looks(corrected_));
+    look_anew();
     return climb(pairs, rules_.most_rungs, only_noise);
 }
 

@@ -61,17 +61,23 @@ std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
     };
     std::vector<double> all;
     for (const auto& rival : j.ladder.rivals[i]) {
-        const bool same = makes_the_motion_of(rung.causes, rival.causes);
-        // what makes the very motion is not worse by the numbers that it has more
-        const double needless = same ? policy::price_of_parameter * parameters_more(rival.causes, rung.causes) : 0.0;
+        const bool same = move_alike(rung.causes, rival.causes);
+        const FittedSet& named = rival.in_the_last ? last : rung;
+        // what makes the very motion is not worse by its numbers, nor by what a number of the document costs it that is
+        // free beside the other: it is as likely as what it leaves
+        const auto unlike = [&] {
+            return odds(mean_log(named.all_left()), mean_log(rival.named().all_left()),
+                        margin_of(named, policy::ladder));
+        };
         // another rung of this ladder is no rival
         if ((settled && !(same && rival.in_the_last)) || std::ranges::all_of(rival.causes.effects, in_the_set) ||
             std::ranges::any_of(rival.causes.effects, is_dropped))
             all.push_back(0);
-        else if (rival.in_the_last)
-            all.push_back(odds(last.misfit + needless, *rival.in_the_last, margin_of(last, policy::ladder)));
+        else if (same && rival.in_the_last.value_or(rival.misfit) < infinity)
+            all.push_back(unlike());
         else
-            all.push_back(odds(rung.misfit + needless, rival.misfit, margin_of(rung, policy::ladder)));
+            all.push_back(
+                odds(named.misfit, rival.in_the_last.value_or(rival.misfit), margin_of(named, policy::ladder)));
     }
     return all;
 }

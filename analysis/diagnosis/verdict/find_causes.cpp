@@ -105,6 +105,33 @@ bool document_suffices(LadderSearch& search, const Fit& fit, const std::vector<J
     return true;
 }
 
+/// Whether corrections are the answer and most of that is a load that no document states.
+bool most_is_a_load(const JudgedLadder& j, const std::vector<FarNumber>& far)
+{
+    return j.only_corrections && std::ranges::any_of(j.numbers, [&](const auto& number) {
+               const auto load = std::ranges::find(far, number.first, &FarNumber::effect);
+               return load != far.end() && load->unstated_load && number.second.share > policy::least_of_gap;
+           });
+}
+
+/// The rungs that a climb has come to, and the far numbers beside them. A load that is most of the answer is climbed to
+/// as a cause, because another may make nearly the same motion: gravity at another angle, an encoder that is off.
+void settle(LadderSearch& search, const Fit& fit, const Settling& with, JudgedLadder& j)
+{
+    settle_ladder(search, fit, with, j);
+    if (!j.answers()) return;
+    const auto far = search.far_off(j.ladder);
+    count_far_numbers(j, far);
+    if (!most_is_a_load(j, far)) return;
+    JudgedLadder released;
+    released.ladder = search.with_load_released(with.pairs, with.only_noise);
+    judge(released, search.data(), fit);
+    settle_ladder(search, fit, with, released);
+    if (!released.named) return;
+    count_far_numbers(released, search.far_off(released.ladder));
+    j = std::move(released);
+}
+
 bool accepted(const Decision& d)
 {
     return d.named && d.winner->accepted;
@@ -153,10 +180,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& m
                 judge(f.judged, search.data(), fit);
             }
         }
-        if (!accepted(f.decision)) {
-            settle_ladder(search, fit, {f.pairs, only_noise, p.documented, runs}, f.judged);
-            if (f.judged.answers()) count_far_numbers(f.judged, search.far_off(f.judged.ladder));
-        }
+        if (!accepted(f.decision)) settle(search, fit, {f.pairs, only_noise, p.documented, runs}, f.judged);
     }
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         const std::vector<Attribution> none;

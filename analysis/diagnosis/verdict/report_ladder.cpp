@@ -195,7 +195,8 @@ std::vector<Cause> causes_of(const Prepared& p, const JudgedLadder& j)
     const auto gain = [&](const FittedSet& set) {
         return 1 - std::sqrt(beyond_noise(set.all_left()) / std::max(1e-300, j.shares.base));
     };
-    first.plausible = j.ladder.last().plausible;  // a correction at the end of its prior does not count
+    first.plausible = j.ladder.last().plausible;        // a correction at the end of its prior does not count
+    first.misfit = misfit(j.ladder.last().all_left());  // as that of its rivals
     first.heldout_gain = gain(j.ladder.last());
     first.heldout_gain_interval = {1, -infinity};
     for (std::size_t f = 0; f < HeldOutData::folds; ++f) {

@@ -3,7 +3,9 @@
 #include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/diagnosis/verdict/chances.h"
+#include "analysis/diagnosis/verdict/quality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +28,32 @@ void judge_in_place(Ladder ladder, const LadderSearch& search, const Fit& fit, b
     j = std::move(next);
 }
 
-/// Rungs that are small against the corrections go, and further ones that are less likely than not, the last first. A
-/// small term of every machine goes among the corrections, or what it leaves would count against the causes.
+/// Whether the only cause of the last rung is one number, which may as well be as documented by its own error: what it
+/// takes, others of the joint take as well.
+bool is_nothing_within_error(const JudgedLadder& j, const Fit& fit)
+{
+    const auto& rungs = j.ladder.rungs;
+    if (rungs.empty()) return false;
+    const std::size_t below = rungs.size() > 1 ? rungs[rungs.size() - 2].causes.effects.size() : 0;
+    const Candidate &c = j.winner.candidate, &causes = rungs.back().causes;
+    if (causes.effects.size() != below + 1) return false;
+    const auto is_added = [&](const Effect* e) {
+        return below == 0 || std::ranges::count(rungs[rungs.size() - 2].causes.effects, e) == 0;
+    };
+    Eigen::Index at = 0;
+    std::size_t i = 0;
+    while (i < j.corrections || !is_added(c.effects[i])) at += static_cast<Eigen::Index>(c.count_of(*c.forms[i++]));
+    const auto& number = c.forms[i]->parameters[0];
+    const bool about_the_document = number.factor || number.low < 0;
+    if (c.count_of(*c.forms[i]) > 1 || !about_the_document) return false;
+    const auto covariance = quality_of(fit.cases, j.winner, fit.scales).covariance;
+    return covariance.rows() > at &&
+           std::abs(j.winner.x[ladder_level][at]) < policy::two_sided_95 * std::sqrt(covariance(at, at));
+}
+
+/// Rungs that are small against the corrections go, those that may as well be nothing, and further ones that are less
+/// likely than not, the last first. A small term of every machine goes among the corrections, or what it leaves would
+/// count against the causes.
 void shorten_to_likely(LadderSearch& search, const Fit& fit, const std::vector<Attribution>& pairs,
                        const OnlyNoise& only_noise, JudgedLadder& j)
 {
@@ -41,7 +67,7 @@ void shorten_to_likely(LadderSearch& search, const Fit& fit, const std::vector<A
     };
     while (const Effect* small = small_term_between(j))
         judge_in_place(search.without(j.ladder, *small), search, fit, true, j, small);
-    while (small_against_corrections(j) || unlikely() || corrections_alone()) {
+    while (small_against_corrections(j) || unlikely() || corrections_alone() || is_nothing_within_error(j, fit)) {
         if (auto anew =
                 small_against_corrections(j) ? search.with_small_term(j.ladder, pairs, only_noise) : std::nullopt) {
             judge_in_place(std::move(*anew), search, fit, true, j);

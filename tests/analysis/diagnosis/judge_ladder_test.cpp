@@ -59,6 +59,24 @@ TEST_CASE("a rung is believed by the odds against its rivals, one margin a facto
     CHECK(chances_of(ladder_of_one({-3}, 1, true))[0] == Approx(sure / 2));
 }
 
+TEST_CASE("what makes the very motion of a rung is as likely as what it leaves, whatever its numbers cost",
+          "[gap][ladder]")
+{
+    // gravity at another angle has an amplitude that nothing holds back, an encoder's offset a corrected one
+    JudgedLadder j = ladder_of_one({}, 1, true);
+    FittedSet &gravity = j.ladder.rungs[0], offset = rung({"sensor-offset"}, 0, 1),
+              load = rung({"constant-load"}, 0, 1);
+    gravity = rung({"gravity"}, 0.1, 1);
+    gravity.causes.forms[0] = &effect_named("gravity")->forms[1];
+    const double margin = margin_of(gravity, policy::ladder);
+    offset.misfit = load.misfit = 0.1 + 5 * margin;
+    j.ladder.rivals[0] = {offset, load};
+    CHECK(odds_of_rivals(j, 0)[0] == Approx(1));
+    CHECK(odds_of_rivals(j, 0)[1] == Approx(std::exp(-5)));
+    for (auto& fold : j.ladder.rivals[0][0].left) fold[0].position = std::exp(margin);
+    CHECK(odds_of_rivals(j, 0)[0] == Approx(std::exp(-1)));
+}
+
 TEST_CASE("what a ladder leaves of the gap, and of the explainable, speaks against its last rung", "[gap][ladder]")
 {
     auto j = ladder_of_one({}, 3, false);

@@ -142,6 +142,23 @@ double part_of_command(const CommandTerms& all, int term, double value)
     return std::sqrt(square / all.square);
 }
 
+/// How much a term changes: a gain by a factor, the command by what is added to it.
+double size_of(const CommandTerms& all, const Changed& changed, int term)
+{
+    const auto i = static_cast<std::size_t>(term);
+    return all.factor[i] ? std::abs(changed.fit.value[i]) : part_of_command(all, term, changed.fit.value[i]);
+}
+
+/// Of changes that do not reproduce the command to digits, those that stand out of what is left: an acceleration is the
+/// reference's before a tick or after it, and jumps, and small changes of the gains follow that as far as they can.
+Changed standing_out(const CommandTerms& all, Changed changed)
+{
+    const double least = policy::rough_multiple * changed.fit.misfit;
+    std::erase_if(changed.terms, [&](int term) { return size_of(all, changed, term) < least; });
+    changed.fit = fit_terms(all, changed.terms);
+    return changed;
+}
+
 }  // namespace
 
 bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
@@ -160,8 +177,12 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
         find_integral_limit(cases, limit, result);
     if (documented.feed_forward.coulomb == 0 && left_by_one(cases, limit) > policy::digits)
         find_coulomb_speed(cases, limit);
-    const Changed changed = fewest_changes(cases, limit);
-    const bool believed = changed.fit.misfit < std::min(policy::understood, policy::much_better * with_gains);
+    Changed changed = fewest_changes(cases, limit);
+    const auto all = command_terms(cases, changed.dead_zone, limit);
+    const bool exact = changed.fit.misfit < policy::understood;
+    if (plain && !exact) changed = standing_out(all, std::move(changed));
+    const bool roughly = changed.fit.misfit < policy::rough_command && !changed.terms.empty();
+    const bool believed = (exact || roughly) && changed.fit.misfit < policy::much_better * with_gains;
     const bool of_coulomb = std::ranges::count(changed.terms, coulomb_term) > 0;
     if (!of_coulomb || (plain && !believed))
         for (auto& c : cases) c.joint.control.feed_forward.coulomb_speed = documented.feed_forward.coulomb_speed;
@@ -173,12 +194,10 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
         return true;
     }
     const double gain = 1 - std::pow(changed.fit.misfit / before, 2);
-    const auto all = command_terms(cases, changed.dead_zone, limit);
     for (const int term : changed.terms) {
         const auto i = static_cast<std::size_t>(term);
         const bool factor = all.factor[i];
-        const double size = factor ? std::abs(changed.fit.value[i]) : part_of_command(all, term, changed.fit.value[i]);
-        if (size < policy::flagged_gain) continue;
+        if (size_of(all, changed, term) < policy::flagged_gain) continue;
         const auto uncounted =
             factor ? uncounted_sample(term, changed.fit.value[i], cases[0].joint.control) : std::nullopt;
         for (auto& c : cases) correct(c.joint.control, term, changed.fit.value[i], factor);

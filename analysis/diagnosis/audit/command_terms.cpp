@@ -87,7 +87,8 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
         if (blind || !is_set(t.command[k]) || std::abs(t.command[k]) > policy::below_limit * limit || !t.enabled[k] ||
             !c.judged(k))
             continue;
-        if (kinked(t, k, fastest)) continue;
+        // of a kink one tick ago the acceleration is no better known than the rate there
+        if (kinked(t, k, fastest) || kinked(t, k - 1, fastest)) continue;
         terms.rows.push_back(
             {t.command[k] - controller.wanted(), changes(control, now, controller.integrates()), record});
         terms.square += t.command[k] * t.command[k];

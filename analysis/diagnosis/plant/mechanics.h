@@ -166,7 +166,8 @@ class Mechanics {
     };
 
     const K& kind() const { return joints_.kind; }
-    bool changes() const { return kind().motor.drifts || kind().link.drifts || moves_inertia_; }
+    /// Whether what is divided once for a tick is another in the next: of one mass the inertia alone.
+    bool changes() const { return moves_inertia_ || (kind().two_mass && (kind().motor.drifts || kind().link.drifts)); }
 
     /// Divides ticks of these lengths into substeps.
     void divide(const P& tick)

@@ -65,6 +65,14 @@ struct Pack {
     typename Native<width>::Doubles part[count];
 
     [[gnu::always_inline]] Pack() {}
+    /// Part by part: a struct of vectors would be copied in pieces of 16 bytes, and a wider load after it waits for all
+    /// of them.
+    [[gnu::always_inline]] Pack(const Pack& other) { *this = other; }
+    [[gnu::always_inline]] Pack& operator=(const Pack& other)
+    {
+        for (int i = 0; i < count; ++i) part[i] = other.part[i];
+        return *this;
+    }
     [[gnu::always_inline]] Pack(double value)
     {
         for (int i = 0; i < count; ++i) part[i] = typename Native<width>::Doubles{} + value;
@@ -252,15 +260,39 @@ template <int w, int n>
         r.part[i] = doubles_of<w>((bits_of<w>(a.part[i]) & INT64_MAX) | (bits_of<w>(b.part[i]) & INT64_MIN));
     return r;
 }
+/// y unless x > y, NaN and zeros included, by the one instruction that does this: comparisons of vectors become two.
+template <class D>
+[[gnu::always_inline]] inline D larger(D x, D y)
+{
+#ifdef __AVX512F__
+    if constexpr (sizeof(D) == 64) return _mm512_mask_max_pd(x, 0xff, x, y);
+#endif
+#ifdef __AVX__
+    if constexpr (sizeof(D) == 32) return _mm256_max_pd(x, y);
+#endif
+    return x > y ? x : y;
+}
+/// y unless x < y.
+template <class D>
+[[gnu::always_inline]] inline D smaller(D x, D y)
+{
+#ifdef __AVX512F__
+    if constexpr (sizeof(D) == 64) return _mm512_mask_min_pd(x, 0xff, x, y);
+#endif
+#ifdef __AVX__
+    if constexpr (sizeof(D) == 32) return _mm256_min_pd(x, y);
+#endif
+    return x < y ? x : y;
+}
 template <int w, int n>
 [[gnu::always_inline]] inline Pack<w, n> max(const Pack<w, n>& a, const Pack<w, n>& b)
 {
-    return map(a, b, [](auto x, auto y) { return x > y ? x : y; });
+    return map(a, b, [](auto x, auto y) { return larger(x, y); });
 }
 template <int w, int n>
 [[gnu::always_inline]] inline Pack<w, n> min(const Pack<w, n>& a, const Pack<w, n>& b)
 {
-    return map(a, b, [](auto x, auto y) { return x < y ? x : y; });
+    return map(a, b, [](auto x, auto y) { return smaller(x, y); });
 }
 
 }  // namespace stickslip::lanes

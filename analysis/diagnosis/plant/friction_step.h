@@ -205,7 +205,7 @@ P sliding_force(const FrictionPack<P, T>& r, const FrictionState<P>& s, const P&
 /// so that a friction that does not change does it once for many steps.
 template <class P>
 struct SlidingStep {
-    P keep, per_force, held;
+    P keep = 1, per_force = 0, held = 0;
     SlidingStep() {}
     SlidingStep(const P& level, const P& slope, const P& mobility)
     {

@@ -19,9 +19,9 @@ struct State {
 /// What a time step of this length needs of joints, divided once for all steps of a tick.
 template <class P>
 struct StepLength {
-    P h, per_h;
-    P motor_mobility, link_mobility;  ///< step over inertia
-    P per_ratio;
+    P h = 1, per_h = 1;
+    P motor_mobility = 0, link_mobility = 0;  ///< step over inertia
+    P per_ratio = 1;
     /// Two masses: how far ahead the damper is taken, what of spring and damper is left by what they do until there,
     /// and the relative acceleration per force of the spring.
     P ahead = 0, left = 0, per_force = 0;

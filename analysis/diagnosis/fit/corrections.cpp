@@ -118,7 +118,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
                    prior.gravity * gravity / unit_of(Scale::load_effort, scales), "change of the gravity amplitude"),
             [](Joint& to, const double* p) { to.load.gravity_amplitude += p[0]; }, false);
         // its angle is none of that number: over a small travel it is a load, and as usual as one
-        sds_.back().push_back(prior.load * level);
+        sds_.back().push_back(load_sd_ = prior.load * level);
     }
     if (records_ > 1 && prior.coulomb_of_record > 0)
         add(
@@ -133,11 +133,11 @@ bool Corrections::is_released(std::string_view name) const
     return load_released_ && name == load;
 }
 
-void Corrections::release_load()
+void Corrections::release_load(bool released)
 {
-    load_released_ = true;
+    load_released_ = released;
     for (std::size_t i = 0; i < effects_.size(); ++i)
-        if (effects_[i].name == "gravity") sds_[i].back() = 0;
+        if (effects_[i].name == "gravity") sds_[i].back() = released ? 0 : load_sd_;
 }
 
 Corrected Corrections::beside(const Candidate& causes) const

@@ -27,9 +27,9 @@ class Corrections {
     /// or how fast it acts around these numbers of a fit.
     void add_small_term(const Effect& effect, const EffectForm& form, const Eigen::VectorXd& x);
     bool has(std::string_view name) const;
-    /// A load that no document states is no correction from now on, of any size, and neither is an angle of gravity,
-    /// which is one over a small travel.
-    void release_load();
+    /// Whether a load that no document states is no correction from now on, of any size, and neither is an angle of
+    /// gravity, which is one over a small travel.
+    void release_load(bool released);
     /// The effects that may be small terms, in the order in which they are looked for.
     static std::span<const std::string_view> small_terms();
     /// Whether a correction is a small term, no number of the document.
@@ -66,6 +66,7 @@ class Corrections {
     std::size_t records_;
     bool load_released_ = false;
     double weight_, widest_;
+    double load_sd_ = 0;                        ///< of the prior of a load
     double usual_effort_ = 0, usual_drag_ = 0;  ///< largest small term, in units of a parameter's scale
     double small_sd_ = 0;                       ///< of the prior of its size
 };

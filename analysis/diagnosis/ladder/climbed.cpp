@@ -120,9 +120,14 @@ std::vector<FarNumber> LadderSearch::far_off(const Ladder& ladder) const
 
 Ladder LadderSearch::with_load_released(const std::vector<Attribution>& pairs, const OnlyNoise& only_noise)
 {
-    corrections_->release_load();
+    corrections_->release_load(true);
     look_anew();
     return climb(pairs, rules_.most_rungs, only_noise);
+}
+
+void LadderSearch::hold_load()
+{
+    corrections_->release_load(false);
 }
 
 void LadderSearch::shorten(Ladder& ladder) const

@@ -113,6 +113,8 @@ class LadderSearch {
     /// Climbed anew without a load that no document states among the corrections: a cause like any other, it has
     /// rivals.
     Ladder with_load_released(const std::vector<Attribution>& pairs, const OnlyNoise& only_noise);
+    /// The load is a correction again: what is climbed with it stays the answer.
+    void hold_load();
     /// Ladders of sets with a scale of the effort (`Climber::over_a_scale`) that predict rows as well as this one does.
     std::vector<Ladder> over_a_scale(const Ladder& ladder);
     /// The ladder of causes that are known.

@@ -63,21 +63,17 @@ std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
     for (const auto& rival : j.ladder.rivals[i]) {
         const bool same = move_alike(rung.causes, rival.causes);
         const FittedSet& named = rival.in_the_last ? last : rung;
-        // what makes the very motion is not worse by its numbers, nor by what a number of the document costs it that is
-        // free beside the other: it is as likely as what it leaves
-        const auto unlike = [&] {
-            return odds(mean_log(named.all_left()), mean_log(rival.named().all_left()),
-                        margin_of(named, policy::ladder));
-        };
+        const double margin = margin_of(named, policy::ladder), misfit = rival.in_the_last.value_or(rival.misfit);
         // another rung of this ladder is no rival
         if ((settled && !(same && rival.in_the_last)) || std::ranges::all_of(rival.causes.effects, in_the_set) ||
             std::ranges::any_of(rival.causes.effects, is_dropped))
             all.push_back(0);
-        else if (same && rival.in_the_last.value_or(rival.misfit) < infinity)
-            all.push_back(unlike());
+        else if (same && misfit < infinity)
+            // not worse by its numbers, nor by what a number of the document costs it that is free beside the other: as
+            // likely as what it leaves
+            all.push_back(odds(mean_log(named.all_left()), mean_log(rival.named().all_left()), margin));
         else
-            all.push_back(
-                odds(named.misfit, rival.in_the_last.value_or(rival.misfit), margin_of(named, policy::ladder)));
+            all.push_back(odds(named.misfit, misfit, margin));
     }
     return all;
 }

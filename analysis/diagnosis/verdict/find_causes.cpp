@@ -127,7 +127,7 @@ void settle(LadderSearch& search, const Fit& fit, const Settling& with, JudgedLa
     released.ladder = search.with_load_released(with.pairs, with.only_noise);
     judge(released, search.data(), fit);
     settle_ladder(search, fit, with, released);
-    if (!released.named) return;
+    if (!released.named) return search.hold_load();
     count_far_numbers(released, search.far_off(released.ladder));
     j = std::move(released);
 }

@@ -118,7 +118,7 @@ Corrections::Corrections(const std::vector<Case>& cases, const Scales& scales, c
                    prior.gravity * gravity / unit_of(Scale::load_effort, scales), "change of the gravity amplitude"),
             [](Joint& to, const double* p) { to.load.gravity_amplitude += p[0]; }, false);
         // its angle is none of that number: over a small travel it is a load, and as usual as one
-        sds_.back().push_back(load_sd_ = prior.load * level);
+        sds_.back().push_back(prior.load * level);
     }
     if (records_ > 1 && prior.coulomb_of_record > 0)
         add(
@@ -136,8 +136,6 @@ bool Corrections::is_released(std::string_view name) const
 void Corrections::release_load(bool released)
 {
     load_released_ = released;
-    for (std::size_t i = 0; i < effects_.size(); ++i)
-        if (effects_[i].name == "gravity") sds_[i].back() = released ? 0 : load_sd_;
 }
 
 Corrected Corrections::beside(const Candidate& causes) const
@@ -209,7 +207,8 @@ std::optional<std::size_t> Corrections::one_of(const Candidate& causes, const Ei
         const bool same = same_number(*causes.effects[i], *causes.forms[i]);
         for (std::size_t k = 0; k < effects_.size(); ++k) {
             if (causes.effects[i]->name != effects_[k].name) continue;
-            if (same && within(x.segment(at, count), sds_[k], widest_)) return i;
+            const bool is_load = count > 1 && sds_[k].size() > 1;  // as an angle of gravity is
+            if (same && !(load_released_ && is_load) && within(x.segment(at, count), sds_[k], widest_)) return i;
             if (is_small_term(effects_[k]) && is_usual(causes, x, *causes.effects[i])) return i;
         }
         at += count;

@@ -66,7 +66,6 @@ class Corrections {
     std::size_t records_;
     bool load_released_ = false;
     double weight_, widest_;
-    double load_sd_ = 0;                        ///< of the prior of a load
     double usual_effort_ = 0, usual_drag_ = 0;  ///< largest small term, in units of a parameter's scale
     double small_sd_ = 0;                       ///< of the prior of its size
 };

@@ -6,7 +6,8 @@ namespace stickslip::gap::policy {
 /// Part of the explainable gap beyond the corrections that the first rung must take. Reason: a cause that takes less is
 /// not the main cause. Evidence: in other cases, of eight values none lies between 0.3 and 0.64.
 inline constexpr double least_of_explainable = 0.5;
-/// Part of the whole gap that the corrections must take to be the answer on their own. Reason: if most of the gap
+/// Part of the whole gap that the corrections must take to be the answer on their own, and a load that no file states
+/// to be climbed to as a cause. Reason: if most of the gap
 /// remains, wrong parameters are not its cause, even if they are slightly wrong. Evidence: an encoder that drops
 /// samples leaves three quarters of the gap, which is no function of the signals; a joint file that is 2-5 % off and
 /// nothing else leaves less than a fiftieth.

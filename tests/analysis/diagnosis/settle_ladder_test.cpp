@@ -26,6 +26,8 @@ TEST_CASE("a load that no document states is a cause where most of the gap is it
     REQUIRE(d.ladder.size() == 1);
     CHECK(d.ladder[0].names == d.effects[0].names);
     CHECK(d.ladder[0].share > 0.5);
+    // friction that differs by direction makes the same motion
+    CHECK(d.ladder[0].ambiguous_with == std::vector<std::vector<std::string>>{{"asymmetric-friction"}});
 }
 
 TEST_CASE("a number whose own error reaches the document is no cause", "[gap][ladder][slow]")

@@ -66,6 +66,7 @@ bool Program::in_basin() const
 SecantSearch::State Program::next_turn(Point end, Point& start)
 {
     if (in_basin()) return secants_.next_in_basin(turn_start_, end, start);
+    secants_.use_one_secant(map_of_line());
     if (care_ == Care::refining || care_ == Care::exact) {
         const auto state = secants_.refine(turn_start_, end, start);
         const bool near = length(start - turn_start_) < refined * length(end);
@@ -79,14 +80,19 @@ SecantSearch::State Program::next_turn(Point end, Point& start)
 /// What the turns of a disturbance of stated size have told of its end, where they lie on a line.
 BasinSide::Told Program::told_by_turns(Point end, Point& start)
 {
-    const auto& g = job_->groups;
-    if (phase_ != Phase::stated || largest_determinant(answer_.period, g.c, g.M) > off_the_line)
-        return BasinSide::Told::nothing;
+    if (phase_ != Phase::stated || !map_of_line()) return BasinSide::Told::nothing;
     if (none_smaller(end)) return BasinSide::Told::decays;
     const bool weak = std::max(answer_.w_max, -answer_.w_min) < weak_swing;
     const auto told = basin_.after(turn_start_, end, linear_growth(), growth_error * settings_->rtol, weak, start);
     if (basin_.moved()) secants_.forget();
     return told;
+}
+
+/// Whether turns as long as the last one map a line onto itself.
+bool Program::map_of_line() const
+{
+    const auto& g = job_->groups;
+    return largest_determinant(answer_.period, g.c, g.M) <= off_the_line;
 }
 
 /// Growth a turn of a small disturbance, e-folds; without bounds where it does not turn.

@@ -67,6 +67,7 @@ class Program {
     Action with_more_care();
     bool in_basin() const;
     SecantSearch::State next_turn(Point end, Point& start);
+    bool map_of_line() const;
     double linear_growth() const;
     bool none_smaller(Point end);
     BasinSide::Told told_by_turns(Point end, Point& start);

@@ -61,7 +61,7 @@ class SecantSearch {
             Point step = along_one(gap, moved, changed);
             moved_[0] = moved, changed_[0] = changed;
             moved_[1] = start_[0] - start_[1], changed_[1] = gap_[0] - gap_[1];
-            if (count_ > 1) step = along_two(gap, moved, changed, moved_[1], changed_[1], step);
+            if (count_ > 1 && !on_line_) step = along_two(gap, moved, changed, moved_[1], changed_[1], step);
             learned_ = count_;
             const Point target = end + step;
             const double remaining = length(target - start);
@@ -69,7 +69,7 @@ class SecantSearch {
             const double largest_gap = std::max(1e-3, 30 * close_by);
             if (contracts && remaining < close_by * size && length(gap) < largest_gap * size) {
                 proposal = target;
-                if (count_ > 1) multiplier_ = std::max(multiplier_, multiplier_of_two());
+                if (count_ > 1 && !on_line_) multiplier_ = std::max(multiplier_, multiplier_of_two());
                 return multiplier_ < 1 ? State::closed : State::lost;
             }
             if (!contracts) {
@@ -139,7 +139,7 @@ class SecantSearch {
         refined_ = true;
         start_[0] = start, gap_[0] = gap;
         Point step = along_one(gap, moved_[0], changed_[0]);
-        if (learned_ > 1) step = along_two(gap, moved_[0], changed_[0], moved_[1], changed_[1], step);
+        if (learned_ > 1 && !on_line_) step = along_two(gap, moved_[0], changed_[0], moved_[1], changed_[1], step);
         proposal = end + step;
         return length(proposal - start) < closure * length(end) ? State::closed : State::searching;
     }
@@ -147,6 +147,8 @@ class SecantSearch {
     void change_map() { refined_ = false; }
     double multiplier() const { return multiplier_; }
     void forget() { count_ = 0; }
+    /// Whether the map is one of the line (basin.h): a second secant would hold nothing but the errors of the turns.
+    void use_one_secant(bool on_line) { on_line_ = on_line; }
 
   private:
     /// By what a motion that creeps inwards or outwards may be scaled, so that its growth a turn changes by a fifth.
@@ -187,7 +189,7 @@ class SecantSearch {
     Point start_[2], gap_[2];
     Point moved_[2], changed_[2];  ///< the secants of the last step
     int count_ = 0, learned_ = 0;
-    bool refined_ = false;
+    bool refined_ = false, on_line_ = false;
     double log_size_ = 0, growth_ = 0;  ///< of the last turn: ln |start|, ln |end|/|start|
     double multiplier_ = 0;
 };

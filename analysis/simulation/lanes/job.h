@@ -63,6 +63,7 @@ struct Answer {
 
 struct Settings {
     double rtol = 1e-8;
+    double coarse = 1e-3;          ///< tolerance of searches that are expected to see every turn lose much
     double rough = 1e-5;           ///< tolerance of searches whose outcome is then refined or is clear without
     int turn_limit = 40;           ///< of the cycle search; beyond, the point is left over
     int patient_turn_limit = 400;  ///< of a stated disturbance that may decay, turn by turn

@@ -5,11 +5,8 @@
 namespace stickslip::lanes {
 namespace {
 
-/// A rough search counts where every turn loses more than that of its amplitude; a rough cycle where the return
-/// map contracts by that. Elsewhere a fold or the linear boundary is near, and tolerance decides. Evidence: over the 61
-/// × 61 gains of the bistable strip (examples/03-bistable-strip) every outcome and region is that of searches that are
-/// all fine and every number within 2·10⁻⁵ of theirs; with all rough searches accepted an overshoot is off by 0.4 %.
-constexpr double clear_decay = 0.95, clear_multiplier = 0.95;
+/// A rough cycle counts where the return map contracts by that (clear_decay in care.cpp).
+constexpr double clear_multiplier = 0.95;
 
 }  // namespace
 
@@ -68,8 +65,8 @@ Action Program::begin(const Job& job, const Settings& settings)
 Action Program::begin_phase(Phase phase)
 {
     phase_ = phase;
-    const bool searches = phase == Phase::search ? std::exp(linear_growth()) < clear_decay : !job_->stated;
-    care_ = searches && settings_->rough > settings_->rtol ? Care::rough : Care::fine;
+    const bool rough = !job_->stated && settings_->rough > settings_->rtol;
+    care_ = phase == Phase::search ? first_care_of_search() : rough ? Care::rough : Care::fine;
     return follow(phase == Phase::search ? job_->rest_start : job_->start);
 }
 
@@ -93,7 +90,7 @@ Action Program::follow(const double (&start)[3])
 /// The disturbance has decayed; where that is wanted, the search for a coexisting cycle begins.
 Action Program::decayed()
 {
-    if (phase_ == Phase::search && care_ == Care::rough && weakest_decay_ > clear_decay) return all_again(Care::fine);
+    if (phase_ == Phase::search && !clearly_decays()) return with_more_care();
     if (phase_ == Phase::search || !job_->search) return finish(Ending::decays);
     return begin_phase(Phase::search);
 }

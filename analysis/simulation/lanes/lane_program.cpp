@@ -131,7 +131,7 @@ Action Program::end_of_turn(const StepView& step, double fraction)
         if (state == SecantSearch::State::closed) {
             if (care_ == Care::rough) {
                 if (secants_.multiplier() > clear_multiplier) return all_again(Care::fine);
-                refine(Care::refining);
+                refine(Care::nearing);
             } else if (phase_ == Phase::cycle && care_ != Care::exact && weakly_contracting()) {
                 refine(Care::exact);
             } else {

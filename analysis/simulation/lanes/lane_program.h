@@ -58,10 +58,10 @@ class Program {
     Action decayed();
     Action follow(const double (&start)[3]);
     Action begin_phase(Phase phase);
-    /// A search is made coarsely where small disturbances decay fast, roughly elsewhere; what it finds is
-    /// refined, what is not clear is searched again with more care, and what secants do not tell, turn by turn. Cycles
-    /// that hardly attract are refined once more, exactly.
-    enum class Care : std::uint8_t { coarse, rough, refining, fine, patient, exact };
+    /// A search is made coarsely where small disturbances decay fast, roughly elsewhere; what it finds is refined, in
+    /// two stages, what is not clear is searched again with more care, and what secants do not tell, turn by turn.
+    /// Cycles that hardly attract are refined once more, exactly.
+    enum class Care : std::uint8_t { coarse, rough, nearing, refining, fine, patient, exact };
     Care first_care_of_search() const;
     bool clearly_decays() const;
     void refine(Care care);

@@ -1,4 +1,4 @@
-// The extremum of a measured quantity within a step, from its values and slopes at both ends.
+// Where a measured quantity turns within a step, from its values and slopes at both ends.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -19,15 +19,6 @@ inline std::optional<double> hermite_turning(double m0, double m1, double s0, do
     for (const double xi : candidates)
         if (xi >= 0 && xi <= 1) return xi;
     return {};
-}
-
-/// The cubic's value there.
-inline std::optional<double> hermite_extremum(double m0, double m1, double s0, double s1, double h)
-{
-    const auto xi = hermite_turning(m0, m1, s0, s1, h);
-    if (!xi) return {};
-    const double d = m1 - m0, b = 3 * d - h * (2 * s0 + s1), c = h * (s0 + s1) - 2 * d;
-    return m0 + *xi * (h * s0 + *xi * (b + *xi * c));
 }
 
 }  // namespace stickslip

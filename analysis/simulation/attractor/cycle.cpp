@@ -20,18 +20,16 @@ double slope(const Flow& flow, const FlowVector& y)
     return flow.speed_gradient(y).dot(rate);
 }
 
-double speed_of_measure(const Flow& flow, double measure)
-{
-    return flow.commanded_velocity() * (flow.logarithmic_speed() ? std::exp(measure) : 1 + measure);
-}
-
 void widen(const Flow& flow, const RodasStep& step, Cycle& path)
 {
     const double m0 = flow.speed_measure(step.y), m1 = flow.speed_measure(step.y1);
-    const auto turning = hermite_extremum(m0, m1, slope(flow, step.y), slope(flow, step.y1), step.h);
-    for (const double m : {m1, turning.value_or(m1)}) {
-        path.velocity_min = std::min(path.velocity_min, speed_of_measure(flow, m));
-        path.velocity_max = std::max(path.velocity_max, speed_of_measure(flow, m));
+    path.velocity_min = std::min(path.velocity_min, flow.velocity(step.y1));
+    path.velocity_max = std::max(path.velocity_max, flow.velocity(step.y1));
+    // the slopes of a stiff motion tell where it turns, but their cubic runs decades beyond the motion
+    if (const auto at = hermite_turning(m0, m1, slope(flow, step.y), slope(flow, step.y1), step.h)) {
+        const double peak = flow.velocity(step.dense(*at));
+        path.velocity_min = std::min(path.velocity_min, peak);
+        path.velocity_max = std::max(path.velocity_max, peak);
     }
     path.position_min = std::min(path.position_min, flow.position(step.y1));
     path.position_max = std::max(path.position_max, flow.position(step.y1));

@@ -103,3 +103,18 @@ TEST_CASE("a growth rate is right to 1e-5 or not given", "[nonlinear][slow]")
     const double abscissa = linear_verdict(bent).state_variable.spectral_abscissa;
     CHECK(nonlinear_verdict(bent, {}).growth_rate == Approx(abscissa).epsilon(1e-5));
 }
+
+TEST_CASE("a stiff cycle is as fast as its path, not as the cubic through its slopes", "[nonlinear]")
+{
+    // hardly any direct effect beside k_v: a slip begins within 1e-5 of the period; the cubic's turning point was 1e35
+    // m/s
+    Joint joint = with_ageing(example_joint(0.99635000543787822, 18317.477110914038, 1.1212277725147788e-4));
+    joint.mechanism.inertia = 5.7071444922437964;
+    auto& law = std::get<Ageing>(joint.friction.law);
+    law.A = 1.4568305229495966, law.B[0] = 3.5107061301192601, law.L[0] = 3.6748428467122162e-05;
+    const auto verdict = nonlinear_verdict(joint, {});
+    REQUIRE(verdict.outcome == Outcome::stick_slip);
+    // by the lanes, whose steps, equations and extremes are their own
+    CHECK(verdict.velocity_max == Approx(2.00509e-3).epsilon(1e-3));
+    CHECK(verdict.velocity_min == Approx(5.05544e-15).epsilon(1e-2));
+}

@@ -20,7 +20,8 @@ constexpr double clear_decay = 0.95;
 constexpr double coarse_decay = 0.8;
 constexpr double rough_closure = 1e-4;  ///< as `closure`
 /// Tolerance of the turn before, beside that of the sweep: it costs 0.6 of a turn of the sweep's and leads so near that
-/// one of these mostly closes the cycle. Evidence: 1.9 such turns a cycle in place of 2.6 with 10, 2.2 with 30.
+/// one of these mostly closes the cycle. Evidence: 398 lane steps a point of the 200 joints of the benchmark, 434
+/// without.
 constexpr double nearness = 10;
 constexpr double refined = 1e-2;  ///< largest step of a refinement, per amplitude
 constexpr int most_refinements = 5;

@@ -78,7 +78,9 @@ void check_instruction_sets(const std::vector<Job>& jobs)
         const auto wide = answers_of<Answer>(jobs, set);
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             CHECK(wide[i].ending == baseline[i].ending);
-            CHECK(wide[i].period == Approx(baseline[i].period).epsilon(1e-5));
+            // a decay has no period: what stands there is its last turn, which was followed roughly
+            if (baseline[i].ending != lanes::Ending::decays)
+                CHECK(wide[i].period == Approx(baseline[i].period).epsilon(1e-5));
         }
     }
 }

@@ -160,7 +160,8 @@ void leave_surroundings(Collector& c, const Joint& joint)
 GearSide gear_side(const Joint& joint)
 {
     const double N = reading_per_joint(joint);
-    return {N, joint.actuator.kind == ActuatorKind::dc_motor ? N : N * N};
+    const bool dc_motor = joint.actuator.kind == ActuatorKind::dc_motor;
+    return {N, dc_motor ? N : N * N, dc_motor};
 }
 
 LoopUse loop_use(const Joint& joint)

@@ -52,6 +52,7 @@ struct UnusedTerm {
 struct GearSide {
     double ratio = 1;  ///< turns of the motor per turn of the joint; 1: none lies between
     double gain = 1;   ///< k_p at the joint's side per k_p of a record: ratio², or ratio of a signal in volts or duty
+    bool dc_motor = false;  ///< k_t and k_e are counted at either side, too
 
     bool between() const { return ratio != 1; }
 };

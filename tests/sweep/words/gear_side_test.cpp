@@ -66,5 +66,8 @@ TEST_CASE("The loop of JSON answers names the gear and the side at which they co
     a.kind = ActuatorKind::dc_motor, a.k_t = a.k_e = 0.1, a.resistance = 2;
     CHECK(with_loop_at_joint(motor).control.k_p == 10 * motor.control.k_p);
     CHECK(gear_side(motor).gain == 10);
-    CHECK_THAT(loop_text(loop_use(motor)), Contains("k_{p} is 10 times smaller"));
+    CHECK_THAT(loop_text(loop_use(motor)), Contains("k_{p} is 10 times smaller") &&
+                                               Contains("k_{t} and k_{e} are the joint's as well: 10 times those"));
+    CHECK_THAT(side_text(gear_side(motor), true), Contains("10 times as large and so are k_{t} and k_{e}"));
+    CHECK_THAT(loop_text(loop_use(geared(10))), !Contains("k_{t}"));
 }

@@ -1,5 +1,7 @@
 #include "analysis/diagnosis/ladder/climber.h"
 
+#include "analysis/diagnosis/policy/ladder.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -101,10 +103,35 @@ std::vector<FittedSet> Climber::fitted(const std::vector<Start>& starts)
     parallel_(groups.size(), [&](std::size_t g) {
         std::vector<const Start*> some;
         for (const std::size_t i : groups[g]) some.push_back(&starts[i]);
-        auto found = fitter_.fit(some);
+        auto found = fitter_.fit_rows(some);
         for (std::size_t k = 0; k < found.size(); ++k) sets[groups[g][k]] = std::move(found[k]);
     });
+    hold_out(sets);
     return sets;
+}
+
+void Climber::hold_out(std::vector<FittedSet>& sets) const
+{
+    std::vector<FittedSet*> rest;
+    for (auto& set : sets) rest.push_back(&set);
+    for (;;) {
+        double limit = infinity;
+        for (const auto& set : sets)
+            if (set.plausible && !set.correction)
+                limit = std::min(limit, set.misfit + policy::out_of_sight * margin_of(set, rules_));
+        const auto far = std::ranges::stable_partition(rest, [&](const auto* set) { return set->misfit <= limit; });
+        const std::vector<FittedSet*> near(rest.begin(), far.begin());
+        if (near.empty()) return;
+        rest.erase(rest.begin(), far.begin());
+        std::vector<double> costs;
+        for (const auto* set : near) costs.push_back(cost_of(set->causes));
+        const auto groups = in_groups(costs, sets_at_once);
+        parallel_(groups.size(), [&](std::size_t g) {
+            std::vector<FittedSet*> some;
+            for (const std::size_t i : groups[g]) some.push_back(near[i]);
+            fitter_.fit_folds(some);
+        });
+    }
 }
 
 std::vector<Start> Climber::divided_anew(const FittedSet& below) const

@@ -128,6 +128,8 @@ class Climber {
     /// The causes but one, with the numbers that they have in the set.
     FittedSet unfitted_without(const FittedSet& set, std::size_t member) const;
     std::vector<FittedSet> fitted(const std::vector<Start>& starts);
+    /// The folds of sets that were fitted to all rows, but of those that are out of sight of the best.
+    void hold_out(std::vector<FittedSet>& sets) const;
     /// The looks in groups, the dearest first.
     void look_at(std::span<const Look> looks) const;
     /// A divided mass in its plain form, with no numbers to start from: beside a larger cause, or numbers of the

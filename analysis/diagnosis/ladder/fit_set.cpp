@@ -37,30 +37,6 @@ Eigen::VectorXd insert(Candidate& causes, const Effect* effect, const EffectForm
     return x;
 }
 
-std::vector<Window> FittedSet::all_left() const
-{
-    std::vector<Window> all;
-    for (const auto& fold : left) all.insert(all.end(), fold.begin(), fold.end());
-    return all;
-}
-
-Eigen::VectorXd FittedSet::of_member(std::size_t member) const
-{
-    const auto count = [&](std::size_t i) { return static_cast<Eigen::Index>(causes.count_of(*causes.forms[i])); };
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < member; ++i) at += count(i);
-    return of_causes(fit.x).segment(at, count(member));
-}
-
-double FittedSet::deviations() const
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < model.numbers; ++i)
-        if (const double sd = model.candidate.sd_of(i); sd > 0)
-            sum += std::pow((fit.x[static_cast<Eigen::Index>(i)] - prior_mean(model.candidate, i)) / sd, 2);
-    return sum;
-}
-
 void SetFitter::renew()
 {
     brief_ = excerpts(data_.fitted(), omega, brief_ticks, coarse);
@@ -167,7 +143,7 @@ FittedSet SetFitter::fit(const Candidate& causes, const Eigen::VectorXd& x0) con
     return fit_folds(causes, refit(causes, x0));
 }
 
-std::vector<FittedSet> SetFitter::fit(std::span<const Start* const> starts) const
+std::vector<FittedSet> SetFitter::fit_rows(std::span<const Start* const> starts) const
 {
     std::vector<Corrected> models;
     for (const auto* s : starts) models.push_back(corrections_.beside(s->causes));
@@ -176,10 +152,17 @@ std::vector<FittedSet> SetFitter::fit(std::span<const Start* const> starts) cons
         fits.push_back(improving({data_.fitted(), models[i].candidate, scales_, omega}, starts[i]->x0, effort, steps));
     auto found = side_by_side(std::move(fits));
     std::vector<FittedSet> sets;
-    for (std::size_t i = 0; i < starts.size(); ++i)
+    for (std::size_t i = 0; i < starts.size(); ++i) {
         sets.push_back(found_set(std::move(models[i]), starts[i]->causes, std::move(found[i])));
-    fit_folds(sets, Waves::move);
+        sets[i].x.fill(sets[i].fit.x);
+        judge(sets[i]);
+    }
     return sets;
+}
+
+void SetFitter::fit_folds(std::span<FittedSet* const> sets) const
+{
+    fit_folds(sets, Waves::move);
 }
 
 FittedSet SetFitter::fit_folds(const Candidate& causes, LevelFit found) const
@@ -211,6 +194,9 @@ void SetFitter::judge(FittedSet& set) const
     set.misfit =
         mean_log(set.all_left()) + prior_cost(c, set.fit.x) +
         policy::price_of_parameter * static_cast<double>(set.causes.effects.empty() ? 0 : set.causes.parameter_count());
+    const auto of_causes = set.of_causes(set.fit.x);
+    set.plausible = plausible(set.causes, of_causes, scales_, data_.cases()[0].joint, ranges_);
+    set.correction = corrections_.one_of(set.causes, of_causes);
 }
 
 FittedSet SetFitter::found_set(Corrected model, const Candidate& causes, LevelFit found) const
@@ -225,24 +211,22 @@ FittedSet SetFitter::found_set(Corrected model, const Candidate& causes, LevelFi
 FittedSet SetFitter::fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const
 {
     FittedSet set = found_set(std::move(model), causes, std::move(found));
-    fit_folds({&set, 1}, waves);
+    FittedSet* const one[] = {&set};
+    fit_folds(one, waves);
     return set;
 }
 
-void SetFitter::fit_folds(std::span<FittedSet> sets, Waves waves) const
+void SetFitter::fit_folds(std::span<FittedSet* const> sets, Waves waves) const
 {
     std::vector<Fitting<LevelFit>> folds;
-    for (const auto& set : sets)
+    for (const auto* set : sets)
         for (std::size_t f = 0; f < HeldOutData::folds; ++f)
-            folds.push_back(near(data_.without(f), set.model.candidate, set.fit.x, steps_of_fold, waves));
+            folds.push_back(near(data_.without(f), set->model.candidate, set->fit.x, steps_of_fold, waves));
     const auto found = side_by_side(std::move(folds));
     auto fold = found.begin();
-    for (auto& set : sets) {
-        for (auto& x : set.x) x = (fold++)->x;
-        judge(set);
-        const auto of_causes = set.of_causes(set.fit.x);
-        set.plausible = plausible(set.causes, of_causes, scales_, data_.cases()[0].joint, ranges_);
-        set.correction = corrections_.one_of(set.causes, of_causes);
+    for (auto* set : sets) {
+        for (auto& x : set->x) x = (fold++)->x;
+        judge(*set);
     }
 }
 

@@ -70,8 +70,11 @@ class SetFitter {
     /// To all rows alone.
     LevelFit refit(const Candidate& causes, const Eigen::VectorXd& x0) const;
     FittedSet fit(const Candidate& causes, const Eigen::VectorXd& x0) const;
-    /// Some sets side by side.
-    std::vector<FittedSet> fit(std::span<const Start* const> starts) const;
+    /// Some sets side by side, to all rows and not to the folds: what they leave and miss by there is with numbers that
+    /// have seen them, and so less than what is held out.
+    std::vector<FittedSet> fit_rows(std::span<const Start* const> starts) const;
+    /// The folds of sets whose rows are fitted.
+    void fit_folds(std::span<FittedSet* const> sets) const;
     /// What is left of a set after a cause was taken away: waves stay where they are. One that moved into the place of
     /// what was taken away would be another cause.
     FittedSet fit_rest(const Candidate& causes, const Eigen::VectorXd& x0) const;
@@ -80,7 +83,7 @@ class SetFitter {
     /// The set with the number of one of its corrections as documented, the others refitted, waves where they are.
     FittedSet fit_without(const FittedSet& set, std::size_t correction) const;
 
-    /// What each fold leaves with the numbers that the set has there, and the misfit.
+    /// What each fold leaves with the numbers that the set has there, the misfit, and whether the set may be one.
     void judge(FittedSet& set) const;
 
   private:
@@ -93,7 +96,7 @@ class SetFitter {
     FittedSet fit_folds(Corrected model, const Candidate& causes, LevelFit found, Waves waves) const;
     /// What was found in all rows, the folds to be fitted.
     FittedSet found_set(Corrected model, const Candidate& causes, LevelFit found) const;
-    void fit_folds(std::span<FittedSet> sets, Waves waves) const;
+    void fit_folds(std::span<FittedSet* const> sets, Waves waves) const;
     /// The fits that a look consists of, of a model that has to outlive them.
     std::vector<Fitting<LevelFit>> begun(Start& start, const FittedSet& below, Corrected& model) const;
     const HeldOutData& data_;

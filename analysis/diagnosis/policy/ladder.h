@@ -166,6 +166,10 @@ inline constexpr double price_of_parameter = 0.003;
 /// Margins of a ladder (`margin`) by which a set of causes must be worse to be no rival. Reason: its odds are e⁻⁴ =
 /// 0.02. Evidence: none yet; chosen.
 inline constexpr double out_of_question = 4;
+/// Margins by which a set of causes must be worse than the best, with numbers that have seen the held-out rows, for its
+/// folds not to be fitted. Reason: its odds are below e⁻⁸ = 0.0003, which no answer shows.
+/// Evidence: none yet; chosen.
+inline constexpr double out_of_sight = 8;
 /// Part of what an effect takes off in a record that is held out, below which the others hardly show it: thirds of that
 /// record are held out in its place. Reason: what is not in the other records cannot be fitted to them. Evidence: none
 /// yet; chosen.

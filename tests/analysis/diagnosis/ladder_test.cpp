@@ -363,3 +363,20 @@ TEST_CASE("numbers outside their physical range are no cause", "[gap][ladder]")
     CHECK_FALSE(plausible(lugre, to_fit(lugre, {1, 0.1}), scales, joint, policy::ladder.ranges));
     CHECK_FALSE(plausible(lugre, to_fit(lugre, {30, 1000}), scales, joint, policy::ladder.ranges));
 }
+
+TEST_CASE("of causes that are out of sight of the best no folds are fitted", "[gap][ladder]")
+{
+    Machine m;
+    m.viscous = 9;
+    const Climbed c(m, test::nominal_joint(), {"viscous", "coulomb-level", "gravity"});
+    REQUIRE(c.ladder.rungs.size() == 1);
+    const FittedSet& viscous = c.ladder.rungs[0];
+    REQUIRE(viscous.causes.effects[0]->name == "viscous");
+    for (const auto& x : viscous.x) CHECK(x != viscous.fit.x);
+    REQUIRE_FALSE(c.ladder.rivals[0].empty());
+    for (const auto& rival : c.ladder.rivals[0]) {
+        CAPTURE(rival.causes.effects[0]->name);
+        REQUIRE(rival.misfit > viscous.misfit + policy::out_of_sight * margin_of(viscous, policy::ladder));
+        for (const auto& x : rival.x) CHECK(x == rival.fit.x);
+    }
+}

@@ -31,6 +31,7 @@ enum class Detail : std::uint8_t {
     stopped,              ///< it could not be followed any further
     // no growth rate
     growth_unmeasured,   ///< too small beside its frequency
+    growth_unresolved,   ///< a motion grows otherwise than the spectrum says
     not_followed,        ///< no motion was
     dead_time_too_long,  ///< for the multipliers of the simulated loop
     leaves_within_tick,  ///< steady sliding
@@ -48,7 +49,7 @@ enum class Detail : std::uint8_t {
     forces_in_loop  ///< forces and loads from outside act on the ideal loop only
 };
 
-inline constexpr std::array<std::string_view, 32> detail_names{"none",
+inline constexpr std::array<std::string_view, 33> detail_names{"none",
                                                                "late-with-memory",
                                                                "moving-normal-load",
                                                                "neighbours",
@@ -68,6 +69,7 @@ inline constexpr std::array<std::string_view, 32> detail_names{"none",
                                                                "larger-not-followed",
                                                                "stopped",
                                                                "growth-unmeasured",
+                                                               "growth-unresolved",
                                                                "not-followed",
                                                                "dead-time-too-long",
                                                                "leaves-within-tick",

@@ -51,6 +51,8 @@ std::string detail_text(Detail detail)
             return "the motion could not be simulated any further";
         case Detail::growth_unmeasured:
             return "the growth rate is too small relative to its frequency to be distinguished from rounding";
+        case Detail::growth_unresolved:
+            return "a small disturbance that is simulated does not grow at the rate of the spectrum: rounding hides it";
         case Detail::not_followed:
             return "no motion was simulated";
         case Detail::dead_time_too_long:

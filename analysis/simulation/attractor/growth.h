@@ -1,5 +1,7 @@
 // The growth rate of a small disturbance, measured by following it.
 #pragma once
+#include <cmath>
+
 #include "analysis/simulation/flows/mode.h"
 
 namespace stickslip {
@@ -11,6 +13,15 @@ inline constexpr double growth_precision = 1e-5;
 /// the equations of motion are integrated over its window and what has become of l·(y − y_ss) is compared with what it
 /// was. Not a number where rounding leaves less than growth_precision, as of a growth that is nearly none.
 double measure_growth(const Flow& flow, const SlowMode& mode, const FlowVector& probe);
+
+/// The same of an offset that may hardly excite the mode: it drowns where the mode itself, whose rate it is, still
+/// shows.
+template <class AnyFlow>
+double growth_by_motion(const AnyFlow& flow, const SlowMode& mode, const FlowVector& offset)
+{
+    const double growth = measure_growth(flow, mode, offset);
+    return std::isnan(growth) ? measure_growth(flow, mode, mode.right.real()) : growth;
+}
 
 /// The size of a small disturbance in units of the flow's scale: its own, or that of the mode that it excites, which
 /// may be far larger, as a position that balances at V_0 starts without a change of speed and brings one about.

@@ -140,9 +140,8 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
 
     const auto mode = slow_mode(flow);
     if (!mode.shows_itself()) verdict.growth_missing = Detail::not_followed;
-    const auto growth_of_mode = [&] { return measure_growth(flow, mode, mode.right.real()); };
     if (!held_by_spring(flow)) {
-        if (mode.shows_itself()) verdict.growth_rate = growth_of_mode();
+        if (mode.shows_itself()) verdict.growth_rate = measure_growth(flow, mode, mode.right.real());
         return leave_open(Reason::diverges, verdict);
     }
     if (!mode.shows_itself())
@@ -157,19 +156,22 @@ void judge(const Joint& joint, const AnyFlow& flow, const NonlinearOptions& opti
     if (no_states || !y0.allFinite())
         return leave_open(no_states ? Reason::unsupported : Reason::law_needs_motion, verdict);
     const FlowVector small = disturbed(flow, mode, kind, default_size(flow, mode, kind));
-    verdict.growth_rate = measure_growth(flow, mode, small - mode.steady);
-    // a disturbance that hardly excites the mode drowns where the mode itself, whose rate it is, still shows
-    if (std::isnan(verdict.growth_rate)) verdict.growth_rate = growth_of_mode();
+    verdict.growth_rate = growth_by_motion(flow, mode, small - mode.steady);
     const auto linear = linear_side(joint);
-    // small disturbances neither decay nor grow; where a disturbance of some size is given, that one is followed
+    // where a disturbance of some size is given, that one is followed
     if (linear.undamped && stated_small) return leave_open(Reason::neutral, verdict);
-    const bool measurable = std::abs(verdict.growth_rate) > measurable_growth * std::abs(mode.s);
+    const double least = measurable_growth * std::abs(mode.s);
+    if (contradicts(verdict.growth_rate, linear.abscissa, least)) {
+        verdict.growth_rate = missing;
+        verdict.growth_missing = verdict.detail = Detail::growth_unresolved;
+        return leave_open(Reason::not_converged, verdict);
+    }
+    const bool measurable = std::abs(verdict.growth_rate) > least;
     const bool decays = measurable ? verdict.growth_rate < 0 : linear.abscissa <= 0;
 
     const Attractor stated = end_of_stated(flow, mode, y0, stated_small, decays, follow_options);
     take_stated(stated, displaced(joint, steady_sliding(joint)), verdict);
     FlowVector cycle_start = stated.start;
-
     if (linear.undamped) {
         const bool sticks = stated.oscillates() && stated.rest_time > 0;
         return sticks ? void() : leave_open(Reason::neutral, verdict);

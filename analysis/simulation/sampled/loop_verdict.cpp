@@ -4,6 +4,7 @@
 #include "analysis/base/work_limits.h"
 #include "analysis/joint/gains.h"
 #include "analysis/loop/loop_use.h"
+#include "analysis/simulation/flows/growth_window.h"
 #include "analysis/simulation/sampled/closed_loop/loop_start.h"
 #include "analysis/simulation/sampled/unsteady_terms.h"
 #include "analysis/simulation/solvers/work.h"
@@ -184,6 +185,8 @@ bool LoopInquiry::find_mode(const Joint& asked, double frame, GrowthBy by)
     double growth = std::isfinite(verdict_.growth_rate) ? verdict_.growth_rate : s.real();
     if (std::isfinite(root.real()) && std::abs(growth) < measurable_in_ticks * std::abs(s))
         verdict_.growth_rate = growth = root.real();
+    if (has_theory && contradicts(growth, root.real(), measurable_in_ticks * std::abs(s)))
+        return refuse(Reason::not_converged, Detail::growth_unresolved);
     neutral_ = std::abs(growth) < neutral_growth * std::abs(s);
     // a disturbance of some size may end in sticking for good all the same
     if (!(std::abs(s) > 0) || (neutral_ && !is_set(question_.disturbance.size))) return refuse(Reason::neutral, {});

@@ -159,3 +159,27 @@ TEST_CASE("a joint without an answer says why", "[nonlinear]")
     joint.load.gravity_amplitude = 1;
     CHECK(nonlinear_verdict(joint, {}).reason == Reason::unsupported);
 }
+
+TEST_CASE("a motion that does not grow as the spectrum says is not followed to a verdict", "[nonlinear]")
+{
+    // 53 nm/s: the roots of the loop, found by two programs, grow at 0.296 1/s; the motion was measured to decay
+    Joint joint;
+    joint.mechanism.inertia = 0.07833224605864846;
+    auto& c = joint.control;
+    c.V0 = 5.3185930106488646e-08, c.delay = 3.1650428513955714e-05, c.structure = Structure::cascade;
+    c.velocity_gain = 57.33414358260771, c.position_gain = 5780.989777853563;
+    c.velocity_integral_gain = 8339.419248480748;
+    joint.actuator.lag = 1.1456686069167787e-05;
+    RateAndState law;
+    law.f0 = 1.251834481640798, law.A = 0.053221566777804034, law.V_star = 4.1479244263539694e-07;
+    law.B.push_back(0.07943305976749879), law.B.push_back(0.05673789983392771);
+    law.L.push_back(8.332864900632347e-08), law.L.push_back(5.918093205948228e-07);
+    joint.friction.law = law;
+    joint.friction.asymmetry = {.coulomb = 0.03888623602575477, .viscous = 220174.11707121786};
+    joint.friction.load_coefficient = 0.06339713074045426;
+    CHECK(growth_rate(joint) == Approx(0.295956).epsilon(1e-5));
+    const auto verdict = nonlinear_verdict(joint, {});
+    CHECK(verdict.outcome == Outcome::undecided);
+    CHECK(verdict.detail == Detail::growth_unresolved);
+    CHECK(std::isnan(verdict.growth_rate));
+}

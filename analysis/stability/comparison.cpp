@@ -103,13 +103,14 @@ std::optional<std::vector<Interval>> stable_velocity_gains(const Joint& joint, T
 
 Comparison compare_theories(const Joint& joint)
 {
-    return steady_sliding(joint).reason == Reason::none ? compare_theories(joint, stable_gains(joint)) : Comparison{};
+    return steady_sliding(joint).reason == Reason::none ? compare_theories(joint, joint, stable_gains(joint))
+                                                        : Comparison{};
 }
 
-Comparison compare_theories(const Joint& joint, const StableGains& gains)
+Comparison compare_theories(const Joint& joint, const Joint& as_given, const StableGains& gains)
 {
     Comparison result;
-    const auto thought = stable_gains(joint, Theory::velocity_only);
+    const auto thought = stable_gains(as_given, Theory::velocity_only);
     const auto k_v_memory = stable_velocity_gains(joint, Theory::state_variable);
     const auto k_v_simple = stable_velocity_gains(joint, Theory::velocity_only);
     result.known = gains.known && thought.known && k_v_memory && k_v_simple;

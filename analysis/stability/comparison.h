@@ -33,8 +33,9 @@ struct Comparison {
 /// Compares at the joint's commanded velocity. Without steady sliding every set is empty. Sets in k_v: complete without
 /// delays and tables; with them by a scan of 60 logarithmic steps over nine decades, ends bisected to 1e-6.
 Comparison compare_theories(const Joint& joint);
-/// The same where the stable gains are known already.
-Comparison compare_theories(const Joint& joint, const StableGains& gains);
+/// The same where the stable gains of the joint as it is given are known already. `joint` has the sum of gains of its
+/// cascade, for sets in k_v; those in k_p turn what a user does, of a cascade in a real loop the position gain.
+Comparison compare_theories(const Joint& joint, const Joint& as_given, const StableGains& gains);
 
 /// The stable k_v at the joint's own k_p alone, by one theory; nothing where its loop has no k_v to turn alone.
 std::optional<std::vector<Interval>> stable_velocity_gains(const Joint& joint, Theory theory);

@@ -100,7 +100,9 @@ LinearStudy linear_study(const Joint& given)
     const bool costly = !effort && many_dead_ticks(joint);
     const bool hasty = search_effort() < 1 && loop_kind(joint) != LoopKind::ideal;
     const bool thorough = (linear.rational() && !costly && !hasty) || effort;
-    const auto gains = stable_gains(joint);
+    // of a cascade in a real loop the verdict turns the position gain, and with it the integral's share of the sum
+    const Joint& turned = loop_kind(joint) == LoopKind::ideal ? joint : given;
+    const auto gains = stable_gains(turned);
     if (const auto response = LoopResponse::of(joint, Theory::state_variable)) {
         study.compliance = std::abs(response->at(0));
         study.peak = response->peak();
@@ -124,7 +126,7 @@ LinearStudy linear_study(const Joint& given)
             study.range_gain =
                 velocity_gain_for_range(joint, back ? low : high, affordable(range_scan(joint, costly), joint));
     }
-    study.comparison = compare_theories(joint, gains);
+    study.comparison = compare_theories(joint, turned, gains);
     if (is_set(joint.control.period)) {
         study.velocity_noise = std::sqrt(2.0) / joint.control.period;
         study.mix_searched = thorough && turns_gains;

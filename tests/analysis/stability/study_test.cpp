@@ -83,3 +83,19 @@ TEST_CASE("the margins of a sampled loop are those of k_p alone, as its window s
     CHECK(study.margins.gain_below == Approx(0.937901).epsilon(1e-5));
     CHECK(study.margins.gain_above == Approx(10.55030).epsilon(1e-5));
 }
+
+TEST_CASE("the gains that a cascade's theories are compared in are those of its verdict", "[stability]")
+{
+    Joint joint = samples::single_mass(1);
+    auto& c = joint.control;
+    c.structure = Structure::cascade;
+    c.velocity_gain = 200, c.position_gain = 300, c.velocity_integral_gain = 5e3;
+    const auto verdict = linear_verdict(joint).state_variable.stable_intervals;
+    const auto compared = linear_study(joint).comparison.k_p_memory;
+    REQUIRE_FALSE(verdict.empty());
+    REQUIRE(compared.size() == verdict.size());
+    for (std::size_t i = 0; i < verdict.size(); ++i) {
+        CHECK(compared[i].low == verdict[i].low);
+        CHECK(compared[i].high == verdict[i].high);
+    }
+}

@@ -2,6 +2,7 @@
 #include "sweep/words/reason_text.h"
 #include "sweep/words/verdict_text.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/results/text.h"
 #include "sweep/words/detail_text.h"
 #include "sweep/words/interval_text.h"
@@ -12,6 +13,19 @@
 #include <numbers>
 
 namespace stickslip {
+
+std::string stable_gains_text(const Joint& joint, const StateVariableVerdict& memory)
+{
+    if (!searched_in_k_p(joint)) return "not searched in this loop: boundary --along control.k_p finds it";
+    const auto& stable = memory.stable_intervals;
+    if (stable.empty() && !(memory.searched_to > gains_of(joint.control).k_p))
+        return "not known: the search for crossings of the imaginary axis found no end";
+    const Units units = units_of(joint);
+    const auto text = intervals_text(stable, Quantity::position_gain, units);
+    if (stable.empty() && std::isfinite(memory.searched_to))
+        return text + " up to " + with_unit(memory.searched_to, Quantity::position_gain, units);
+    return text;
+}
 
 Table linear_table(const Joint& joint, const LinearVerdict& v)
 {
@@ -49,10 +63,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     if (is_set(v.state_variable.phase_margin_deg))
         table.rows.push_back({"phase margin", plain_number(v.state_variable.phase_margin_deg) + "°"});
     if (std::isnan(v.state_variable.k_cr))
-        table.rows.push_back(
-            {"stable k_{p}", searched_in_k_p(joint)
-                                 ? intervals_text(v.state_variable.stable_intervals, Quantity::position_gain, units)
-                                 : "not searched in this loop: boundary --along control.k_p finds it"});
+        table.rows.push_back({"stable k_{p}", stable_gains_text(joint, v.state_variable)});
     else {
         const double omega = v.state_variable.crossings.back().omega;
         table.rows.push_back(row("frequency at the critical gain ω", omega, Quantity::angular_frequency));

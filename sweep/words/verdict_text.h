@@ -20,6 +20,9 @@ std::string verdict_text(const Joint& joint, const LinearVerdict& verdict, Taken
 /// Of the design on a map. `rests`: what does not slide on comes to rest for good.
 std::string design_point_text(Region region, double spectral_abscissa, bool rests);
 
+/// The stable gains of a search in k_p; nothing found in one that ended below the joint's own gain is no denial.
+std::string stable_gains_text(const Joint& joint, const StateVariableVerdict& memory);
+
 /// Every number of the verdict with its unit.
 Table linear_table(const Joint& joint, const LinearVerdict& verdict);
 

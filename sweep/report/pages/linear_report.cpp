@@ -119,7 +119,7 @@ Report linear_report(const Joint& joint, const JointAnswer& answer)
             report.headlines.push_back(demand("with memory", c.k_v_memory, joint.control.k_v, units));
         } else if (joint.control.kind == ControlKind::position) {
             report.headlines.push_back(
-                gains_headline(linear.state_variable.stable_intervals, "in the loop as it is", units));
+                {Tone::neutral, stable_gains_text(joint, linear.state_variable), "stable k_{p} in the loop as it is"});
             report.headlines.push_back(gains_headline(answer.ideal_gains, "under the paper's ideal loop", units));
         }
         if (std::isfinite(linear.state_variable.k_cr))

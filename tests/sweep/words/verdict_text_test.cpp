@@ -102,6 +102,20 @@ TEST_CASE("a joint that slides at every gain is said to", "[report]")
     CHECK(has(text, "Every k_p > 0 is stable."));
 }
 
+TEST_CASE("gains that no search has found are not called none", "[report]")
+{
+    Joint joint = samples::single_mass(1);
+    joint.control.k_p = 1e4;
+    StateVariableVerdict memory;
+    CHECK(stable_gains_text(joint, memory) == "none");
+    memory.searched_to = 2e4;
+    CHECK(stable_gains_text(joint, memory) == "none up to 20 kN/m");
+    memory.searched_to = 0;
+    CHECK(has(stable_gains_text(joint, memory), "not known"));
+    memory.stable_intervals = {{5e3, 5e4}};
+    CHECK(stable_gains_text(joint, memory) == "from 5 kN/m to 50 kN/m");
+}
+
 TEST_CASE("a gain beside the critical one is told by how much and to which side", "[report]")
 {
     Joint joint = samples::single_mass(1);

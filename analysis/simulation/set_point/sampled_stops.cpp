@@ -112,7 +112,10 @@ double SampledStops::stick_time(const SampledLoop& loop, double x) const
     if (!can_break(x)) return infinity;
     const auto& controller = loop.controller();
     const double missing_command = command_for(joint_.actuator, effort_at_breakaway(x), 0) - controller.wanted();
-    return std::max(0.0, missing_command / controller.winding());
+    // the command goes up in steps, and on average half a tick before the ramp through their ends; what the joint feels
+    // is a dead time and, of a ramp, a time constant of the lag older
+    const double steps = missing_command / controller.winding() - 0.5 * loop.period();
+    return std::max(0.0, steps) + joint_.control.delay + joint_.actuator.lag;
 }
 
 SampledStop SampledStops::slip_from(double x) const

@@ -49,6 +49,17 @@ std::vector<double> held_from(const Joint& joint, double start, double duration)
     return record_along(joint, reference, 0).position;
 }
 
+/// Mean time from one passage of 0 upwards to the next, of the later half.
+double period_of_late(const std::vector<double>& x)
+{
+    constexpr double row = 1e-3;
+    std::vector<double> passages;
+    for (std::size_t i = x.size() / 2; i < x.size(); ++i)
+        if (x[i - 1] < 0 && x[i] >= 0) passages.push_back(row * static_cast<double>(i));
+    REQUIRE(passages.size() > 2);
+    return (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
+}
+
 double largest_of_late(const std::vector<double>& x, double share)
 {
     double most = 0;
@@ -88,6 +99,8 @@ TEST_CASE("hunting of a sampled, late loop is that of its record", "[set-point]"
         CHECK(s.reason == SetPointReason::static_above_coulomb);
         const auto x = held_from(joint, 2 * s.amplitude, 40 * s.period);
         CHECK(s.amplitude == Approx(largest_of_late(x, 0.3)).epsilon(0.01));
+        // a stop lasts until the command is there, and has come through the dead time
+        CHECK(s.period == Approx(period_of_late(x)).epsilon(1e-3));
     }
     // and in ticks that are short beside all that it does that of the loop without ticks
     const auto fine = set_point(published(1e-4, 0));

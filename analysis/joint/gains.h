@@ -25,6 +25,16 @@ inline Gains gains_of(const Control& control)
     return {K_v * control.position_gain + K_i, K_v, K_i * control.position_gain};
 }
 
+/// The numbers of either structure that a user turns: of the position error, and of the velocity error.
+inline double& stated_position_gain(Control& control)
+{
+    return control.structure == Structure::cascade ? control.position_gain : control.k_p;
+}
+inline double& stated_velocity_gain(Control& control)
+{
+    return control.structure == Structure::cascade ? control.velocity_gain : control.k_v;
+}
+
 /// The joint with the sum of gains that its cascade is, for what reads k_p, k_v and k_i; any other joint unchanged.
 inline Joint with_gains(Joint joint)
 {

@@ -58,13 +58,10 @@ void correct(Control& c, int term, double value, bool factor)
     const double by = 1 + value;
     switch (term) {
         case k_p_term:
-            (c.structure == Structure::cascade ? c.position_gain : c.k_p) *= by;
+            stated_position_gain(c) *= by;
             break;
         case k_v_term:
-            if (c.structure == Structure::cascade)
-                c.velocity_gain *= by;
-            else
-                c.k_v = factor ? c.k_v * by : value;
+            stated_velocity_gain(c) = factor ? stated_velocity_gain(c) * by : value;
             break;
         case k_i_term:
             if (!factor)

@@ -1,6 +1,7 @@
 #include "analysis/diagnosis/audit/reading_noise.h"
 
 #include "analysis/diagnosis/policy/records.h"
+#include "analysis/joint/gains.h"
 #include "analysis/numerics/statistics.h"
 
 #include <Eigen/Dense>
@@ -111,7 +112,8 @@ double reading_sigma(const Sensor& sensor, double span)
 double noise_of_command(const Control& control, double reading)
 {
     const double rate = std::sqrt(2.0) / (control.period + control.velocity_estimate.tau);
-    return reading * std::hypot(control.k_p, control.k_v * rate);
+    const Gains gains = gains_of(control);  // a cascade has no k_p of its own
+    return reading * std::hypot(gains.k_p, gains.k_v * rate);
 }
 
 void share_noise(std::vector<Case>& cases, const Sensor& documented, std::vector<Note>& notes)

@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/fit/reference.h"
 #include "analysis/diagnosis/policy/ladder.h"
+#include "analysis/joint/gains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,7 +188,7 @@ SignalSquares simulated_squares(const Case& c, const std::vector<double>& measur
 /// A mean square of the readings' error, in the position and, as k_p passes it on, in the command.
 void raise_floor_of_readings(const Case& c, const Joint& joint, double reading, std::vector<SignalSquares>& squares)
 {
-    const double passed_on = command_unit(c.joint).factor * joint.control.k_p;
+    const double passed_on = command_unit(c.joint).factor * gains_of(joint.control).k_p;
     for (auto& s : squares) {
         if (s.signal == "position") s.floor = std::max(s.floor, reading);
         if (s.signal == "effort_command") s.floor = std::max(s.floor, passed_on * passed_on * reading);

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/outcomes/rows.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/joint/parameters.h"
 #include "analysis/results/cannot_answer.h"
 
@@ -60,8 +61,9 @@ Outcomes prepared(const Joint& nominal, const OutcomeTable& table)
         Joint joint = joint_at(nominal, table, row.settings);
         const std::string place = table.name + ":" + std::to_string(row.line) + ":1";
         if (!(joint.control.V0 > 0)) throw CannotAnswer(CannotAnswer::Why::no_velocity, place);
-        if (!(joint.control.k_p > 0)) throw CannotAnswer(CannotAnswer::Why::no_stiffness, place);
-        stiffness.push_back(joint.control.k_p), velocity.push_back(joint.control.V0);
+        const double k_p = gains_of(joint.control).k_p;
+        if (!(k_p > 0)) throw CannotAnswer(CannotAnswer::Why::no_stiffness, place);
+        stiffness.push_back(k_p), velocity.push_back(joint.control.V0);
         inertia.push_back(joint.mechanism.inertia);
         o.joints.push_back(std::move(joint));
     }

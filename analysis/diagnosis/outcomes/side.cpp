@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/outcomes/side.h"
 
+#include "analysis/joint/gains.h"
 #include "analysis/stability/verdict.h"
 
 #include <algorithm>
@@ -52,8 +53,9 @@ double distance(const Joint& given, double (*measure)(const Joint&))
     double squares = 0;
     // roots of a delay are slow to find: its windows of stiffness alone nearly give the distance
     const bool late = std::holds_alternative<TimeLag>(joint.friction.law);
-    for (double* setting : {&joint.control.k_p, &joint.control.k_v, &joint.control.V0}) {
-        if (*setting == 0 || (late && setting != &joint.control.k_p)) continue;
+    double* const stiffness = &stated_position_gain(joint.control);
+    for (double* setting : {stiffness, &stated_velocity_gain(joint.control), &joint.control.V0}) {
+        if (*setting == 0 || (late && setting != stiffness)) continue;
         constexpr double step = 1e-3;  // numerical: of a difference
         const double was = *setting;
         *setting = was * (1 + step);

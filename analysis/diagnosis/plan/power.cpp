@@ -7,6 +7,7 @@
 #include "analysis/diagnosis/policy/audit.h"
 #include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/diagnosis/policy/search.h"
+#include "analysis/joint/gains.h"
 #include "analysis/results/cannot_answer.h"
 
 #include <algorithm>
@@ -167,11 +168,12 @@ Found least_size(const Planned& motion, Sized s, Motion of)
 void audited(const Joint& joint, std::vector<EffectPower>& effects)
 {
     const double tick = joint.control.period, tau = joint.control.velocity_estimate.tau;
+    const bool damped = gains_of(joint.control).k_v != 0;
     for (auto& e : effects) {
         if (e.name == "gain-k_p") e.least_size = policy::flagged_gain;
-        if (joint.control.k_v != 0 && e.name == "gain-k_v") e.least_size = policy::flagged_gain;
+        if (damped && e.name == "gain-k_v") e.least_size = policy::flagged_gain;
         // g = T/(τ + T) differs by as much
-        if (joint.control.k_v != 0 && e.name == "velocity-filter")
+        if (damped && e.name == "velocity-filter")
             e.least_size = tau + (tau + tick) * policy::flagged_gain / (1 - policy::flagged_gain);
         if (e.name == "quantisation")
             e.least_size = std::max(1.3 * joint.sensor.encoder_quantum, 0.5 * joint.sensor.position_noise);
@@ -190,7 +192,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b)
 Power power_of(const Joint& joint, const PlannedMotion& planned, const ParallelFor& parallel)
 {
     if (!is_set(joint.control.period)) throw CannotAnswer(CannotAnswer::Why::no_period, "");
-    if (!is_set(joint.control.k_p)) throw CannotAnswer(CannotAnswer::Why::no_position_gain, "");
+    if (!is_set(gains_of(joint.control).k_p)) throw CannotAnswer(CannotAnswer::Why::no_position_gain, "");
     if (joint.sensor.position_noise == 0 && joint.sensor.encoder_quantum == 0)
         throw CannotAnswer(CannotAnswer::Why::no_noise, "");
     if (planned.time.size() < fewest_periods)

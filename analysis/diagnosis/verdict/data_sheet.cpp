@@ -5,6 +5,17 @@
 namespace stickslip::gap {
 namespace {
 
+/// Whose effort follows from k_t and resistance, so that its effort_gain is a pure factor.
+bool is_motor(const Joint& joint)
+{
+    return joint.actuator.kind == ActuatorKind::dc_motor;
+}
+
+bool is_cascade(const Joint& joint)
+{
+    return joint.control.structure == Structure::cascade;
+}
+
 constexpr SheetNumber sheet[] = {
     {"asymmetric-friction", "Coulomb level, positive direction", Quantity::effort,
      [](Joint& j) { return coulomb_force(main_friction(j)) + main_friction(j).asymmetry.coulomb; }},
@@ -62,7 +73,9 @@ constexpr SheetNumber sheet[] = {
     {"compliance", "transmission damping", Quantity::damping,
      [](Joint& j) { return j.mechanism.transmission.damping; }},
     {"effort-gain", "effort per unit of the drive signal", Quantity::effort,
-     [](Joint& j) { return j.actuator.effort_gain; }},
+     [](Joint& j) { return is_motor(j) ? not_set : j.actuator.effort_gain; }},
+    {"effort-gain", "effort per documented", Quantity::number,
+     [](Joint& j) { return is_motor(j) ? j.actuator.effort_gain : not_set; }, "", true},
     {"effort-gain", "torque constant", Quantity::torque_constant, [](Joint& j) { return j.actuator.k_t; },
      "motor constant"},
     {"effort-gain", "voltage at the winding per documented", Quantity::number, [](Joint& j) { return j.actuator.k_t; },
@@ -79,9 +92,17 @@ constexpr SheetNumber sheet[] = {
     {"delay", "dead time of the reading", Quantity::time, [](Joint& j) { return j.sensor.delay; }, "of-the-reading"},
     {"velocity-filter", "time constant of the velocity filter", Quantity::time,
      [](Joint& j) { return j.control.velocity_estimate.tau; }},
-    {"gain-k_p", "k_p", Quantity::position_gain, [](Joint& j) { return j.control.k_p; }},
-    {"gain-k_v", "k_v", Quantity::velocity_gain, [](Joint& j) { return j.control.k_v; }},
-    {"gain-k_i", "k_i", Quantity::integral_gain, [](Joint& j) { return j.control.k_i; }},
+    {"gain-k_p", "k_p", Quantity::position_gain, [](Joint& j) { return is_cascade(j) ? not_set : j.control.k_p; }},
+    {"gain-k_p", "position gain of the cascade", Quantity::rate,
+     [](Joint& j) { return is_cascade(j) ? j.control.position_gain : not_set; }},
+    {"gain-k_v", "k_v", Quantity::velocity_gain, [](Joint& j) { return is_cascade(j) ? not_set : j.control.k_v; }},
+    {"gain-k_v", "velocity gain of the cascade", Quantity::velocity_gain,
+     [](Joint& j) { return is_cascade(j) ? j.control.velocity_gain : not_set; }},
+    {"gain-k_i", "k_i", Quantity::integral_gain, [](Joint& j) { return is_cascade(j) ? not_set : j.control.k_i; }},
+    {"gain-k_i", "integral gain of the velocity loop", Quantity::position_gain,
+     [](Joint& j) { return is_cascade(j) ? j.control.velocity_integral_gain : not_set; }},
+    {"gain-k_i", "reset time of the velocity loop", Quantity::time,
+     [](Joint& j) { return is_cascade(j) ? j.control.velocity_reset_time : not_set; }},
     {"gain-k_i", "limit of the integral", Quantity::command, [](Joint& j) { return j.control.integral_limit; },
      "limit"},
     {"feed-forward", "Coulomb feed-forward", Quantity::command, [](Joint& j) { return j.control.feed_forward.coulomb; },

@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/plan/safe_motion.h"
 #include "analysis/diagnosis/policy/page_and_plan.h"
+#include "analysis/joint/gains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ NextExperiment design_experiment(const Case& like, const Scales& scales, const A
 {
     NextExperiment best;
     best.separates.emplace_back(joined(names_of(winner.candidate)), joined(names_of(rival.candidate)));
-    if (!is_set(like.joint.control.k_p)) return best;
+    if (!is_set(gains_of(like.joint.control).k_p)) return best;
     const double period = is_set(like.joint.control.period) ? like.joint.control.period : like.row_step;
     const double duration = std::min(20.0, std::max(8.0, like.ticks.duration()));
     const Reach reach = shown_by(like);

@@ -148,3 +148,26 @@ TEST_CASE("the sheet tells sizes in the units of a data sheet", "[gap]")
     CHECK(coarse[0].pinned);  // the grid on which readings lie is read off
     CHECK(coarse[0].interval.low == coarse[0].interval.high);
 }
+
+TEST_CASE("a motor's gain is a factor, a drive's gain an effort per unit of its signal", "[gap]")
+{
+    Prepared p;
+    std::vector<Note> notes;
+    p.cases.push_back(prepare(test::record_of({}, 1, 2), test::nominal_joint(), notes));
+    const Effect* gain = effect_named("effort-gain");
+    Attribution a;
+    a.candidate = {{gain}, {&gain->forms[0]}, 1};
+    a.x.fill(to_fit(a.candidate, {1.2}));
+    p.documented.push_back(p.cases[0].joint);
+    const auto drive = sheet_values(p, a, {}, 0);
+    REQUIRE(drive.size() == 1);
+    CHECK(drive[0].value == Approx(1.2 * p.documented[0].actuator.effort_gain));
+    CHECK(drive[0].unit == "N");
+    auto& motor = p.cases[0].joint.actuator;
+    motor.kind = ActuatorKind::dc_motor, motor.k_t = motor.k_e = 0.05, motor.resistance = 1;
+    p.documented[0] = p.cases[0].joint;
+    const auto factor = sheet_values(p, a, {}, 0);
+    REQUIRE(factor.size() == 1);
+    CHECK(factor[0].value == Approx(1.2));
+    CHECK(factor[0].unit.empty());
+}

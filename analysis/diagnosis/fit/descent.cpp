@@ -69,6 +69,7 @@ class Descent {
   private:
     Eigen::Index size() const { return static_cast<Eigen::Index>(candidate_.parameter_count()); }
     const EffectParameter& parameter(Eigen::Index i) const { return candidate_.parameter(static_cast<std::size_t>(i)); }
+    bool is_kept(Eigen::Index i) const { return !kept_.empty() && kept_[static_cast<std::size_t>(i)]; }
     Eigen::Map<const Eigen::VectorXd> residuals() const
     {
         return {residuals_.data(), static_cast<Eigen::Index>(residuals_.size())};
@@ -105,9 +106,8 @@ class Descent {
     {
         std::vector<Eigen::Index> all;
         for (Eigen::Index i = 0; i < size(); ++i) {
-            const auto number = static_cast<std::size_t>(i);
-            if (!kept_.empty() && kept_[number]) continue;
-            if (age == 0 || !(candidate_.sd_of(number) > 0)) all.push_back(i);
+            if (is_kept(i)) continue;
+            if (age == 0 || !(candidate_.sd_of(static_cast<std::size_t>(i)) > 0)) all.push_back(i);
         }
         return all;
     }
@@ -185,7 +185,7 @@ class Descent {
         at_.information = normal_;
         gradient_ = weighted.transpose() * r;
         for (Eigen::Index i = 0; i < size() && candidate_.prior_weight > 0; ++i)
-            if (const double sd = candidate_.sd_of(static_cast<std::size_t>(i)); sd > 0) {
+            if (const double sd = candidate_.sd_of(static_cast<std::size_t>(i)); sd > 0 && !is_kept(i)) {
                 const double row = candidate_.prior_weight * static_cast<double>(problem_.cases.size()) / (sd * sd);
                 normal_(i, i) += row;
                 gradient_[i] += row * (at_.x[i] - prior_mean(candidate_, static_cast<std::size_t>(i)));

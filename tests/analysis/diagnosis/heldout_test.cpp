@@ -1,7 +1,12 @@
 #include "analysis/diagnosis/heldout/heldout.h"
+#include "analysis/diagnosis/audit/audit.h"
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/audit/reading_noise.h"
+#include "analysis/diagnosis/fit/candidate_numbers.h"
+#include "analysis/diagnosis/fit/corrections.h"
+#include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/heldout/ensemble.h"
+#include "analysis/diagnosis/policy/ladder.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 
 #include <catch2/catch.hpp>
@@ -121,4 +126,33 @@ TEST_CASE("a nominal simulation that is unstable at its rate is no noise floor",
     CHECK_FALSE(closed_loop_at_floor(cases, {}, {}, [](std::size_t n, const auto& task) {
         for (std::size_t i = 0; i < n; ++i) task(i);
     }));
+}
+
+TEST_CASE("a number that is kept stays where it is, whatever its prior says", "[gap]")
+{
+    // the level of the record that is held out once went back to that of the document in this way
+    test::Machine sticky, easy;
+    sticky.coulomb = 2.3, easy.coulomb = 1.8;
+    std::vector<Note> notes;
+    std::vector<Case> cases;
+    for (const auto& machine : {sticky, easy}) {
+        cases.push_back(prepare(test::record_of(machine, 1, 3), test::nominal_joint(), notes));
+        cases.back().number = cases.size() - 1;
+    }
+    const Scales scales = scales_of(cases);
+    const Corrections corrections(cases, scales, policy::correction_prior);
+    const Corrected model = corrections.beside({});
+    const Candidate& all = model.candidate;
+    Eigen::VectorXd x = Corrections::start(model, model, {}, {});
+    Kept kept(all.parameter_count(), 0);
+    bool any = false;
+    constexpr double own = 0.02;  // within what a prior allows
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (record_of(all, i) == std::optional<std::size_t>(0))
+            kept[i] = 1, any = true, x[static_cast<Eigen::Index>(i)] = own;
+    REQUIRE(any);
+    const auto fit = descend({{cases[1]}, all, scales, levels[1]}, x, 3, kept);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i]) CHECK(fit.x[static_cast<Eigen::Index>(i)] == own);
+    CHECK(fit.x != x);
 }

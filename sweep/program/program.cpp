@@ -41,10 +41,11 @@ bool answer_written()
 {
     std::cout.flush();  // help is written by way of it
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    if (!written)
-        say("stickslip: the answer could not be written to standard output ({}); free some space and run the "
-            "same command again\n",
-            std::generic_category().message(errno));
+    if (!written) {
+        const int why = errno;
+        say("stickslip: the answer could not be written to standard output ({}); {}run the same command again\n",
+            std::generic_category().message(why), why == ENOSPC ? "free some space and " : "");
+    }
     return written;
 }
 

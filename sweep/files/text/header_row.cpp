@@ -11,7 +11,6 @@ bool next_header(LineStream& lines, std::string_view& line)
 {
     do {
         if (!lines.next(line)) return false;
-        if (lines.line_number() == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
     } while (trimmed(line).empty() || trimmed(line).starts_with('#'));
     return true;
 }

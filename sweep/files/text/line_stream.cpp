@@ -89,7 +89,8 @@ bool LineStream::next(std::string_view& line)
         line = {from, length};
         if (line.ends_with('\r')) line.remove_suffix(1);
         begin_ += length + (stop ? 1 : 0);
-        ++line_number_;
+        // spreadsheets begin their UTF-8 with a mark
+        if (++line_number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
         return true;
     }
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <tuple>
 
 namespace stickslip::files {
@@ -146,6 +147,10 @@ std::string read_text(const std::filesystem::path& file)
     if (!std::filesystem::exists(file, error)) throw BadInput(file.string() + ": there is no such file");
     if (std::filesystem::is_directory(file, error))
         throw BadInput(file.string() + ": is a folder, expected a TOML file");
+    // a pipe can be read once, and a joint file is read again for the places of its keys
+    static std::map<std::filesystem::path, std::string> pipes;
+    const bool pipe = !std::filesystem::is_regular_file(file, error);
+    if (const auto known = pipes.find(file); pipe && known != pipes.end()) return known->second;
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw BadInput(file.string() + ": cannot be opened for reading");
     std::string text;
@@ -156,6 +161,7 @@ std::string read_text(const std::filesystem::path& file)
     if (stream.bad()) throw BadInput(file.string() + ": cannot be read");
     if (text.size() > max_bytes) throw BadInput(file.string() + ": is larger than 16 MiB, expected a TOML file");
     refuse_utf16(text, file.string());
+    if (pipe) pipes[file] = text;
     return text;
 }
 

@@ -3,6 +3,7 @@
 #include "sweep/files/records/foreign_log.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/log_options.h"
+#include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"
 
 #include <memory>
@@ -20,6 +21,9 @@ int convert(const Options& options, const Invocation& invocation)
 {
     const int code = run_conversion(conversion_command(options.log, options.csv, options.joint, options.how));
     if (invocation.interrupted && code != exit_done) return exit_interrupted;
+    constexpr int by_python_itself = 1;  // it has no package stickslip, or one that does not start
+    if (code == by_python_itself)
+        say("convert needs the Python package of stickslip; STICKSLIP_PYTHON=path chooses the Python that has it\n");
     // Python's own codes say that there is no such package, or that a reader failed
     return code == exit_done || code == exit_interrupted ? code : exit_bad_input;
 }

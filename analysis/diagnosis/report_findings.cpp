@@ -111,8 +111,12 @@ void report_rivals(const Prepared& p, const ParallelFor& parallel, const Finding
     const Attribution* rival = !f.decision.ambiguous.empty() ? f.decision.ambiguous.front()
                                : ranked.size() > 1           ? ranked[1].attribution
                                                              : nullptr;
-    if (rival && !winner.candidate.effects.empty())
-        d.next_experiment = design_experiment(p.cases[0], p.scales, winner, *rival);
+    if (!rival || winner.candidate.effects.empty()) return;
+    d.next_experiment = design_experiment(p.cases[0], p.scales, winner, *rival);
+    auto named = names_of(winner.candidate);
+    const std::size_t refitted = in_the_ladder(f) ? std::min(f.judged.corrections, named.size()) : 0;
+    named.erase(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(refitted));
+    if (!named.empty()) d.next_experiment.separates = {{joined(named), joined(names_of(rival->candidate))}};
 }
 
 void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d)

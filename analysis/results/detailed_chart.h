@@ -20,7 +20,7 @@ struct DetailedChart {
         bool dashed = false;
         Look look = Look::line;
         bool wide = false;         ///< broad and pale, so that what follows it closely is seen on it
-        bool see_through = false;  ///< lies on a line that must still be seen
+        bool see_through = false;  ///< paler than what is drawn over it, in grey as well
         std::optional<std::size_t> place =
             {};                          ///< drawn as the line in this place: one thing has one pen; none: its own
         std::vector<double> along = {};  ///< what a curve in the plane was drawn over; empty, or one for each sample

@@ -13,7 +13,7 @@ INK, HALO, GOLD, VELOCITY_ONLY, MOTION = "#000000", "#fefefe", "#ffdd33", "#a400
 _VIK = ("#001261", "#022b71", "#034481", "#0c5e92", "#307da6", "#619ebd", "#94bed2", "#c6dbe6", "#ece5e0", "#e9ccba", "#dcac90",
         "#cf8e68", "#c37243", "#b3531f", "#942f06", "#741506", "#590008")
 # colour, dashes and name of a boundary, as the report draws it
-_CURVES = {"linear": (INK, "-", "boundary, with frictional memory"), "velocity-only": (VELOCITY_ONLY, "--", "boundary, velocity-only theory"),
+_CURVES = {"linear": (INK, "-", "boundary, with frictional memory"), "velocity-only": (VELOCITY_ONLY, "--", "boundary, velocity-only model"),
            "fold": ("#00594c", "-.", "fold of limit cycles"), "outcome": ("#3d2f9c", ":", "boundary, nonlinear simulation")}
 
 
@@ -78,9 +78,9 @@ def _draw_theories(ax: "Axes", x: Any, y: Any, growth: Any, simple: Any) -> None
     if simple is None:
         region(known & ~stable, "\\\\\\", "#00000066", _VIK[11], "stick-slip")
     else:
-        region(known & ~stable & ~simple, "\\\\\\", "#00000066", _VIK[11], "stick-slip in both theories")
-        region(known & stable & ~simple, "///", GOLD, _VIK[4], "smooth with memory, though velocity-only forbids it")
-        region(known & ~stable & simple, "xxx", "#000000d9", _VIK[11], "stick-slip with memory, though velocity-only allows it")
+        region(known & ~stable & ~simple, "\\\\\\", "#00000066", _VIK[11], "stick-slip in both models")
+        region(known & stable & ~simple, "///", GOLD, _VIK[4], "smooth with memory only")
+        region(known & ~stable & simple, "xxx", "#000000d9", _VIK[11], "stick-slip with memory only")
         boundary(0.5 - simple, "velocity-only")
     boundary(growth, "linear")
     if entries:
@@ -88,7 +88,7 @@ def _draw_theories(ax: "Axes", x: Any, y: Any, growth: Any, simple: Any) -> None
 
 
 def plot_map(dataset: "xarray.Dataset", x: str, y: str, variable: str = "spectral_abscissa", ax: "Axes | None" = None, **at: float) -> "Axes":
-    """Two axes of a sweep: the growth of disturbances, blue where they decay, both theories' boundaries, and hatched where they
+    """Two axes of a sweep: the growth of disturbances, blue where they decay, both models' boundaries, and hatched where they
     disagree; any other `variable` alone. Other axes stand at the nearest value to `at`, else in the middle:
     plot_map(ds, "control.k_p", "control.V0", **{"control.k_v": 30}), in the units of the dataset. Draws into `ax` or new axes, and returns
     them. Raises ValueError for an axis or a variable that the sweep has not, with those that it has."""

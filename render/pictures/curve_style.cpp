@@ -8,7 +8,7 @@ CurveStyle curve_style(Curve::Kind kind)
 {
     switch (kind) {
         case Curve::Kind::velocity_only:
-            return {{from_hex(0xa4006d), 2.6, {9, 5}}, "boundary, velocity-only theory"};
+            return {{from_hex(0xa4006d), 2.6, {9, 5}}, "boundary, velocity-only model"};
         case Curve::Kind::state_variable:
             return {{field_ink, 2.6, {}}, "boundary, with frictional memory"};
         case Curve::Kind::fold:

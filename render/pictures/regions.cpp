@@ -103,16 +103,15 @@ std::string_view region_text(Region region, UnsmoothEnd unsmooth)
     };
     switch (region) {
         case Region::stable:
-            return "smooth in both theories";
+            return "smooth in both models";
         case Region::memory_only:
-            return "smooth with memory, though velocity-only forbids it";
+            return "smooth with memory only";
         case Region::velocity_only:
-            return by_end("stick-slip with memory, though velocity-only allows it",
-                          "stick-slip or rest with memory, though velocity-only allows sliding",
-                          "rest for good with memory, though velocity-only allows sliding");
+            return by_end("stick-slip with memory only", "stick-slip or rest for good with memory only",
+                          "rest for good with memory only");
         case Region::unstable:
-            return by_end("stick-slip in both theories", "unstable in both theories: stick-slip, or rest for good",
-                          "unstable in both theories: rest for good");
+            return by_end("stick-slip in both models", "unstable in both models: stick-slip, or rest for good",
+                          "unstable in both models: rest for good");
         case Region::bistable:
             return by_end("bistable: a larger disturbance ends in stick-slip",
                           "bistable: a larger disturbance ends in stick-slip, or at rest for good",

@@ -17,9 +17,9 @@ constexpr double plot_width = 640, plot_height = 470;
 
 std::string statement(const StabilityMap& map)
 {
-    std::string text = "The two theories agree everywhere on this chart.";
+    std::string text = "The two models agree everywhere on this chart.";
     if (map.disagreement > 0)
-        text.assign("The two theories disagree on ").append(percent(map.disagreement)) += " of this chart.";
+        text.assign("The two models disagree on ").append(percent(map.disagreement)) += " of this chart.";
     if (map.undecided > 0) text.append(" ").append(percent(map.undecided)) += " of its points are undecided.";
     return text;
 }

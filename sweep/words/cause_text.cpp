@@ -28,7 +28,7 @@ constexpr Words all_words[] = {
     {"stribeck", "Friction falls from standstill to low speed (Stribeck)"},
     {"load-dependent-friction", "Friction grows with the transmitted effort"},
     {"presliding", "Friction yields like a spring before it slides"},
-    {"frictional-memory", "Friction remembers how it slid before"},
+    {"frictional-memory", "Friction depends on past motion"},
     {"position-dependent-friction", "Friction depends on the position"},
     {"friction-drift", "The level of friction drifts with time"},
     {"inertia", "The inertia is not the documented one", {"inertia"}},

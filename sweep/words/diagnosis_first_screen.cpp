@@ -148,7 +148,7 @@ Headline what_card(const Diagnosis& d)
         return {Tone::warning, fmt::format("one of {}", fmt::join(causes, ", ")),
                 "cause: these records cannot distinguish them; the values above are those of the first"};
     return {Tone::warning, together(d.effects[0].names),
-            "cause: the most probable effect, by its name in the catalogue; its values are above"};
+            "cause: the most probable effect of the catalogue; its values are above"};
 }
 
 Headline where_card(const Diagnosis& d)

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/effect_words.h"
 #include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
@@ -31,11 +32,48 @@ std::string ranged(double value, const ConfidenceInterval& interval)
     return fmt::format("{} ({} … {})", whole_percent(value), whole_percent(interval.low), whole_percent(interval.high));
 }
 
+/// "178.5 µm": in the unit that suits a number of another size, so that a row has one.
+std::string with_prefix(double value, double like, const std::string& unit)
+{
+    const ScaledUnit scaled = scaled_unit(std::abs(like), unit);
+    return number(value / scaled.size) + (scaled.text.empty() ? "" : " " + scaled.text);
+}
+
+std::string signal_words(const std::string& column)
+{
+    if (column == "effort_command") return "commanded effort";
+    if (column == "effort_measured") return "measured effort";
+    std::string words = column;
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
+/// "frictional memory: lag"
+std::string parameter_words(const std::string& name)
+{
+    const auto dot = name.find('.');
+    if (dot == std::string::npos) return name;
+    std::string own = name.substr(dot + 1);
+    std::ranges::replace(own, '_', ' ');
+    return effect_words(name.substr(0, dot)) + ": " + own;
+}
+
+/// How the data were held out: no fault of theirs.
+bool is_of_method(const Note& note)
+{
+    using Code = Note::Code;
+    constexpr Code method[] = {Code::held_out_in_turn, Code::thirds_in_turn, Code::rest_held_out,
+                               Code::rig_blocks_in_turn, Code::fifths_in_turn};
+    return std::ranges::find(method, note.code) != std::end(method);
+}
+
 }  // namespace
 
 std::string together(const std::vector<std::string>& names)
 {
-    return fmt::format("{}", fmt::join(names, " with "));
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : " with ") + effect_words(name);
+    return text;
 }
 
 std::string whole_percent(double part)
@@ -58,8 +96,8 @@ Table causes_table(const Diagnosis& d)
         const bool held = std::isfinite(c.heldout_gain_interval.low) || c.heldout_gain != 0;
         t.rows.push_back({together(c.names), fmt::format("{:.3f}", c.probability),
                           held ? ranged(c.heldout_gain, c.heldout_gain_interval) : "not held out",
-                          c.signature ? "yes" : "no", c.plausible ? "yes" : "no", c.form.empty() ? "–" : c.form,
-                          number(c.misfit)});
+                          c.signature ? "yes" : "no", c.plausible ? "yes" : "no",
+                          c.form.empty() ? "–" : effect_words(c.form), number(c.misfit)});
         t.bars.push_back(bar_of(c.probability));
         if (forces) {
             auto& row = t.rows.back();
@@ -80,19 +118,29 @@ Table parameters_table(const Diagnosis& d)
     Table t{"Parameters of the first cause, ± standard error", {"parameter", "value"}, {}};
     if (!d.effects.empty())
         for (const auto& p : d.effects[0].parameters)
-            t.rows.push_back({p.name, with_error(p.value, p.standard_error, p.unit)});
+            t.rows.push_back({parameter_words(p.name), with_error(p.value, p.standard_error, p.unit)});
     return t;
 }
 
 std::string value_text(const SheetValue& v)
 {
     if (!v.pinned) return "not pinned by these records";
-    // as many digits as show the interval
-    constexpr int least = 4, most = 9;
-    const double parts = std::min(std::abs(v.value) / (v.interval.high - v.interval.low), std::pow(10, most));
-    const int digits = parts > 1 ? std::clamp(static_cast<int>(std::log10(parts)) + 2, least, most) : least;
-    const auto text = [&](double value) { return plain_number(value, digits); };
-    const auto unit = v.unit.empty() ? "" : " " + v.unit;
+    const double largest = std::max({std::abs(v.value), std::abs(v.interval.low), std::abs(v.interval.high)});
+    const ScaledUnit scaled = scaled_unit(largest, v.unit);
+    // two digits of the interval's width, so that value and ends stand with the same decimals
+    constexpr int most_decimals = 6, digits = 4;
+    constexpr double longest = 1e6;
+    const double width = (v.interval.high - v.interval.low) / scaled.size;
+    const int decimals = width > 0 ? 1 - static_cast<int>(std::floor(std::log10(width))) : most_decimals + 1;
+    const bool fixed = decimals <= most_decimals && largest / scaled.size < longest;
+    const auto text = [&](double value) {
+        const double shown = value / scaled.size;
+        if (!fixed) return plain_number(shown, digits);
+        const std::string number = fmt::format("{:.{}f}", std::abs(shown), std::max(decimals, 0));
+        const bool zero = number.find_first_of("123456789") == std::string::npos;
+        return (shown < 0 && !zero ? "−" : "") + number;
+    };
+    const auto unit = scaled.text.empty() ? "" : " " + scaled.text;
     return fmt::format("{} ({} … {}){}", text(v.value), text(v.interval.low), text(v.interval.high), unit);
 }
 
@@ -106,34 +154,41 @@ Table values_table(const Diagnosis& d)
 
 Table shares_table(const char* title, const std::vector<Share>& shares)
 {
-    Table t{title, {"where", "share of the gap", "95 % interval", "RMS", "prediction floor", "unit"}, {}};
+    const bool multiples = std::ranges::all_of(shares, [](const Share& s) { return s.unit == "floors"; });
+    Table t{title, {"where", "share of the gap", "95 % interval"}, {}};
     t.bar_column = 1;
+    if (multiples)
+        t.columns.emplace_back("RMS, × the prediction floor");
+    else
+        t.columns.insert(t.columns.end(), {"RMS", "prediction floor"});
     for (const auto& s : shares) {
-        t.rows.push_back({s.name, whole_percent(s.share),
-                          whole_percent(s.interval.low) + " … " + whole_percent(s.interval.high), number(s.rms),
-                          number(s.floor), s.unit});
+        t.rows.push_back(
+            {s.name, whole_percent(s.share), whole_percent(s.interval.low) + " … " + whole_percent(s.interval.high)});
         t.bars.push_back({s.share, s.interval.low, s.interval.high});
+        if (multiples)
+            t.rows.back().push_back(plain_number(s.rms, 3));
+        else
+            for (const double value : {s.rms, s.floor}) t.rows.back().push_back(with_prefix(value, value, s.unit));
     }
     return t;
 }
 
 Table gap_table(const Diagnosis& d)
 {
-    Table t{"Measured against simulated, held-out data",
-            {"signal", "before", "after", "noise floor", "explained", "unit"},
-            {}};
+    Table t{"Measured against simulated, held-out data", {"signal", "before", "after", "noise floor", "explained"}, {}};
     constexpr double beyond_floor = 1.1;  // less is no gap, and a part of it no number
     for (const auto& g : d.gap)
-        t.rows.push_back({g.signal, number(g.before), number(g.after), number(g.floor),
-                          g.before > beyond_floor * g.floor ? whole_percent(g.explained) : "no gap here", g.unit});
-    t.rows.push_back({"overall", number(d.overall.before), number(d.overall.after), number(d.overall.floor),
-                      ranged(d.overall.explained, d.overall.interval), "× noise floor"});
+        t.rows.push_back({signal_words(g.signal), with_prefix(g.before, g.before, g.unit),
+                          with_prefix(g.after, g.before, g.unit), with_prefix(g.floor, g.before, g.unit),
+                          g.before > beyond_floor * g.floor ? whole_percent(g.explained) : "no gap here"});
+    t.rows.push_back({"overall, × the noise floor", number(d.overall.before), number(d.overall.after),
+                      number(d.overall.floor), ranged(d.overall.explained, d.overall.interval)});
     if (d.drive_force.corner > 0)
         t.rows.push_back({fmt::format("drive force below {:.0f} Hz, the nuisance parameters of the joint refitted",
                                       d.drive_force.corner),
-                          number(d.drive_force.before), number(d.drive_force.after), "–",
-                          whole_percent(1 - d.drive_force.after / d.drive_force.before) + " of the RMS",
-                          d.drive_force.unit});
+                          with_prefix(d.drive_force.before, d.drive_force.before, d.drive_force.unit),
+                          with_prefix(d.drive_force.after, d.drive_force.before, d.drive_force.unit), "–",
+                          whole_percent(1 - d.drive_force.after / d.drive_force.before) + " of the RMS"});
     return t;
 }
 
@@ -142,6 +197,14 @@ Table records_table(const Diagnosis& d)
     Table t{"Records", {"file", "role"}, {}};
     for (const auto& r : d.records) t.rows.push_back({r.file, r.role});
     return t;
+}
+
+std::string method_text(const Diagnosis& d)
+{
+    std::string text;
+    for (const auto& note : d.notes)
+        if (is_of_method(note)) text += (text.empty() ? "" : " ") + note_sentence(note);
+    return text;
 }
 
 std::vector<std::string> gathered_notes(const Diagnosis& d)
@@ -159,7 +222,7 @@ std::vector<std::string> gathered_notes(const Diagnosis& d)
     };
     std::vector<Counted> counted;
     for (const auto& note : d.notes) {
-        if (said_as_reason(note)) continue;
+        if (said_as_reason(note) || is_of_method(note)) continue;
         Note common = note;
         if (one_of_several(note)) common.record.clear();
         const auto same =
@@ -172,8 +235,8 @@ std::vector<std::string> gathered_notes(const Diagnosis& d)
     std::vector<std::string> notes;
     for (const auto& c : counted)
         notes.push_back(c.count == 1
-                            ? note_text(*c.first)
-                            : fmt::format("{} of {} records: {}", c.count, d.records.size(), note_text(c.common)));
+                            ? note_sentence(*c.first)
+                            : fmt::format("{} of {} records: {}.", c.count, d.records.size(), note_text(c.common)));
     return notes;
 }
 

@@ -5,7 +5,7 @@
 
 namespace stickslip {
 
-/// "asymmetric-friction with delay"
+/// "asymmetric friction with delay"
 std::string together(const std::vector<std::string>& names);
 /// "38 %", "–" where there is none.
 std::string whole_percent(double part);
@@ -19,6 +19,8 @@ std::string value_text(const SheetValue& value);
 Table shares_table(const char* title, const std::vector<Share>& shares);
 Table gap_table(const Diagnosis& d);
 Table records_table(const Diagnosis& d);
+/// How records were held out, in sentences; empty where none were.
+std::string method_text(const Diagnosis& d);
 /// What was assumed or could not be done; a note that many records share is said once, with their number.
 std::vector<std::string> gathered_notes(const Diagnosis& d);
 

@@ -5,6 +5,7 @@
 #include "analysis/diagnosis/policy/page_and_plan.h"
 #include "analysis/diagnosis/policy/verdict.h"
 #include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/effect_words.h"
 #include "sweep/words/stage_text.h"
 #include "sweep/words/suspicion_text.h"
 
@@ -37,7 +38,7 @@ constexpr Sentence sentences[] = {
     {Code::position_still, "the position does not change beyond its noise"},
     {Code::nothing_drives, "neither a command nor a reference was logged: the input of the joint is unknown"},
     {Code::uneven_ticks,
-     "rows are {0:f} periods of the loop apart, no whole number of them: every row is used as a tick"},
+     "rows are {0:.3g} periods of the loop apart, no whole number of them: every row is used as a tick"},
     {Code::no_command,
      "no command was logged; it is computed from the reference, the measured motion and the documented controller, so "
      "that the controller itself cannot be audited"},
@@ -76,18 +77,18 @@ constexpr Sentence sentences[] = {
      "suspected record of another joint: encoder and controller differ from the joint file in {count} ways "
      "({numbers}); if it is this joint, correct the file first"},
     {Code::command_unknown,
-     "the documented controller does not reproduce the logged command (misfit {0:f} of its rms), nor does any change "
+     "the documented controller does not reproduce the logged command (misfit {0:.3g} of its rms), nor does any change "
      "of its terms: none is named"},
     {Code::gains_not_judged,
-     "the documented controller does not reproduce the logged command (misfit {0:f} of its rms): gains were not "
+     "the documented controller does not reproduce the logged command (misfit {0:.3g} of its rms): gains were not "
      "audited"},
     {Code::terms_to,
-     "the controller reproduces the logged command to {0:f} % of its rms: terms that are smaller are not named"},
+     "the controller reproduces the logged command to {0:.3g} % of its rms: terms that are smaller are not named"},
     {Code::gains_to,
-     "the controller reproduces the logged command to {0:f} % of its rms: only gains that are further off are named"},
+     "the controller reproduces the logged command to {0:.3g} % of its rms: only gains that are further off are named"},
     {Code::gains_to_steps,
      "the controller reproduces the logged command to the steps in which it is given: only gains that are off by more "
-     "than {0:f} % are named"},
+     "than {0:.3g} % are named"},
     {Code::controller_unseen,
      "no reference was logged: nothing is said of a controller that is more than k_p and k_v; the joint is judged "
      "under "
@@ -186,7 +187,7 @@ constexpr Sentence sentences[] = {
      "the load point reverses; the longest stretch in one direction, rows {0:.0f} to {1:.0f}, is judged"},
     {Code::rig_blocks_in_turn, "one record: blocks of 20 rows are held out, a third of them in turn"},
     {Code::rig_still, "displacement or friction does not change"},
-    {Code::rig_laws_alike, "the law of {name0} is ambiguous: these data cannot distinguish {laws}"},
+    {Code::rig_laws_alike, "the law of {effect0} is ambiguous: these data cannot distinguish {laws}"},
     {Code::rig_level_suffices, "a constant level predicts the held-out rows to the noise"},
     {Code::rig_no_law_predicts,
      "no law that the program knows predicts the held-out rows better than a constant level"},
@@ -242,6 +243,7 @@ fmt::dynamic_format_arg_store<fmt::format_context> parts_of(const Note& note)
         parts.push_back(fmt::arg(fmt::format("share{}", i).c_str(), whole_percent(note.values[i])));
     for (std::size_t i = 0; i < note.names.size(); ++i)
         parts.push_back(fmt::arg(fmt::format("name{}", i).c_str(), note.names[i]));
+    if (!note.names.empty()) parts.push_back(fmt::arg("effect0", effect_words(note.names[0])));
     parts.push_back(fmt::arg("names", together(note.names)));
     parts.push_back(fmt::arg("laws", laws_of(note)));
     parts.push_back(fmt::arg("count", note.names.size()));

@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "sweep/study/motion_reach.h"
 #include "sweep/words/cause_text.h"
+#include "sweep/words/diagnosis_tables.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,19 @@ std::string reach_text(const MotionReach& reach, Units units)
         with_unit(reach.fastest, Quantity::velocity, units),
         with_error(reach.hardest, 0, units.motion == Motion::revolute ? "rad/s²" : "m/s²"),
         with_unit(reach.duration, Quantity::time, units));
+}
+
+/// "gravity + inertia" in words.
+std::string causes_text(std::string_view joined)
+{
+    constexpr std::string_view plus = " + ";
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at != std::string_view::npos;) {
+        const auto end = joined.find(plus, at);
+        names.emplace_back(joined.substr(at, end - at));
+        at = end == std::string_view::npos ? end : end + plus.size();
+    }
+    return together(names);
 }
 
 }  // namespace
@@ -61,7 +75,7 @@ std::string next_experiment_text(const Diagnosis& d)
         return d.verdict == Verdict::gap || d.verdict == Verdict::no_gap
                    ? "No causes remain to be distinguished."
                    : "No motion was found that would distinguish the named causes.";
-    const auto& [one, two] = e.separates[0];
+    const std::string one = causes_text(e.separates[0].first), two = causes_text(e.separates[0].second);
     if (e.distance < seen)
         return fmt::format(
             "No motion that was tried would distinguish {} from {}: with the fitted parameters, even along {} they "

@@ -14,7 +14,7 @@ std::string gains_words(double k_p, double k_v, const CorrectedGains& g, Units u
            ", k_{v} = " + with_unit(k_v / g.per_drive, Quantity::velocity_gain, units);
 }
 
-/// Under which assumptions the right gains are right.
+/// Under which assumptions gains are recommended.
 std::string premises(const CorrectedGains& g, Units units)
 {
     std::string text = "least noise of the link at a margin of " + plain_number(g.required.margin);
@@ -54,14 +54,14 @@ std::string right_gains_text(const CorrectedGains& g, Units units, const std::st
 {
     if (g.none != NoGains::looked_for) return "No gains were looked for: " + no_gains_words(g) + ".";
     if (!g.right || !g.right->decided)
-        return "No gains can be right: the joint " + with + " has no steady sliding here.";
+        return "No gains can be recommended: the joint " + with + " has no steady sliding here.";
     const auto& best = g.right->best;
     const std::string gains = gains_words(best.k_p, best.k_v, g, units);
     if (!g.right->feasible)
         return "No gains meet all requirements in the joint " + with + "; nearest to it are " + gains + " (" +
                premises(g, units) + ").";
-    return "Right for the joint " + with + " would be " + gains + " (" + premises(g, units) +
-           "). stickslip design corrected-joint.toml answers other requirements.";
+    return "Recommended for the joint " + with + ": " + gains + " (" + premises(g, units) +
+           "). For other requirements: stickslip design corrected-joint.toml.";
 }
 
 std::string settled_text(const SettledMotion& motion, Units units)

@@ -70,7 +70,7 @@ Table alone_table(const MarginsAnswer& a)
         const auto quantity = quantity_of(a.joint, c.path);
         const auto& n = a.alone[i];
         table.rows.push_back({coordinate_text(c, units), with_unit(value_of(a.joint, c), quantity, units, 5),
-                              n.found ? with_unit(n.moves[0].to, quantity, units, 8) : "none within ×10",
+                              n.found ? with_unit(n.moves[0].to, quantity, units, 5) : "none within ×10",
                               n.found ? signed_percent(n.moves[0].to / n.moves[0].from - 1) : "–"});
     }
     return table;

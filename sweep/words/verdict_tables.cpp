@@ -9,6 +9,7 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/searched_gains.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +32,7 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
 {
     const Units units = units_of(joint);
     const auto row = [&](std::string name, double value, Quantity q) {
-        return std::vector<std::string>{std::move(name), with_unit(value, q, units, 6)};
+        return std::vector<std::string>{std::move(name), with_unit(value, q, units, 4)};
     };
     Table table;
     table.title = "Linear theory at the design point";
@@ -59,7 +60,8 @@ Table linear_table(const Joint& joint, const LinearVerdict& v)
     table.rows.insert(table.rows.end(), judged.begin(), judged.end());
     if (v.loop.kind != LoopKind::ideal) table.rows.push_back({"loop", loop_name(v.loop.kind)});
     if (is_set(v.state_variable.gain_margin_db))
-        table.rows.push_back({"gain margin", plain_number(v.state_variable.gain_margin_db) + " dB"});
+        table.rows.push_back(
+            {"gain margin, all gains together", plain_number(v.state_variable.gain_margin_db) + " dB"});
     if (is_set(v.state_variable.phase_margin_deg))
         table.rows.push_back({"phase margin", plain_number(v.state_variable.phase_margin_deg) + "°"});
     if (std::isnan(v.state_variable.k_cr))
@@ -77,13 +79,22 @@ std::string rest_text(const NonlinearVerdict& v)
     return v.velocity_min * v.velocity_max < 0 ? "sticking or moving backwards" : "sticking";
 }
 
+/// The code's name, but for the one outcome that is called otherwise everywhere else.
+std::string outcome_name(Outcome outcome)
+{
+    if (outcome == Outcome::stable_sliding) return "smooth sliding";
+    std::string name(code_name("outcome", static_cast<std::uint8_t>(outcome)));
+    std::ranges::replace(name, '-', ' ');
+    return outcome == Outcome::stick_slip ? "stick-slip" : name;
+}
+
 Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
 {
     const Units units = units_of(joint);
     Table table;
     table.title = "The nonlinear joint";
     table.columns = {"quantity", "value"};
-    table.rows.push_back({"outcome", std::string(code_name("outcome", static_cast<std::uint8_t>(v.outcome)))});
+    table.rows.push_back({"outcome", outcome_name(v.outcome)});
     if (!reason_text(v).empty()) table.rows.push_back({"because", reason_text(v)});
     if (v.region == NonlinearRegion::bistable)
         table.rows.push_back(v.outcome == Outcome::stable_sliding
@@ -99,7 +110,7 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
             {"larger disturbances", "also end in steady sliding: " + larger_tried_text(v.searched_from)});
     if (v.repeats > 1) table.rows.push_back({"cycles after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
-        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 6)});
+        if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 4)});
     };
     add("growth rate of a small disturbance", v.growth_rate, Quantity::rate);
     // of sliding that only the encoder or its noise disturbs the same numbers tell how far
@@ -109,9 +120,11 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     add(jitters ? "least velocity" : "least velocity of the cycle", v.velocity_min, Quantity::velocity);
     add(jitters ? "peak velocity" : "peak velocity of the cycle", v.velocity_max, Quantity::velocity);
     add("period", v.period, Quantity::time);
-    const auto resting = "share of the period spent " + rest_text(v);
-    if (!jitters) add(resting.c_str(), v.stick_fraction, Quantity::number);
-    add("overshoot, per steady deflection", v.overshoot, Quantity::number);
+    const auto add_share = [&](const std::string& name, double share) {
+        if (is_set(share)) table.rows.push_back({name, percent(share)});
+    };
+    if (!jitters) add_share("share of the period spent " + rest_text(v), v.stick_fraction);
+    add_share("overshoot, of the steady deflection", v.overshoot);
     if (!v.multipliers.empty()) add("largest Floquet multiplier", std::abs(v.multipliers.front()), Quantity::number);
     if (v.criticality == Criticality::subcritical)
         table.rows.push_back({"at k_{cr}", "subcritical: cycles exist above it, too"});

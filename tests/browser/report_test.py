@@ -214,7 +214,7 @@ class Report(unittest.TestCase):
         region = self.results["region"][:, :, -1]
         shares = numpy.outer(weights(k_p), weights(k_v))
         said = self.said("return document.querySelector('#map-k-p-k-v .layer-words').textContent")
-        for codes, words in (((0, 1), "smooth on"), ((1, 2), "theories differ on")):
+        for codes, words in (((0, 1), "smooth on"), ((1, 2), "models differ on")):
             share = 100 * shares[numpy.isin(region, codes)].sum()
             self.assertAlmostEqual(float(said.split(words + " ")[1].split(" ")[0]), share, delta=0.006 * share + 0.1, msg=said)
         # a place that was chosen before the slider moves is told anew

@@ -198,8 +198,8 @@ def test_maps_and_boundaries_are_drawn_as_the_report_draws_them():
                                   "control.k_v": {"from": 10.0, "to": 1000.0, "points": 9, "scale": "log"}}}
     dataset = stickslip.sweep(spec)
     told = [text.get_text() for text in stickslip.plot_map(dataset, "control.k_p", "control.k_v").get_legend().get_texts()]
-    assert told == ["stick-slip in both theories", "smooth with memory, though velocity-only forbids it",
-                    "boundary, velocity-only theory", "boundary, with frictional memory"]
+    assert told == ["stick-slip in both models", "smooth with memory only",
+                    "boundary, velocity-only model", "boundary, with frictional memory"]
     assert stickslip.plot_map(dataset, "control.k_p", "control.k_v", "k_cr").get_legend() is None
     with pytest.raises(ValueError, match="nosuch: is no variable of this sweep, variables are .*k_cr"):
         stickslip.plot_map(dataset, "control.k_p", "control.k_v", "nosuch")

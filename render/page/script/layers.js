@@ -121,7 +121,7 @@ const sharesOf = (chart, classes) => {
 
 const layerWords = (chart, classes) => {
   const shares = sharesOf(chart, classes), percent = (...names) => `${Number((100 * names.reduce((sum, name) => sum + (shares[name] || 0), 0)).toPrecision(3))}${nbsp}%`;
-  return `smooth on ${percent("stable", "memory-only")} of the chart, the two theories differ on ${percent("memory-only", "velocity-only")}`;
+  return `smooth on ${percent("stable", "memory-only")} of the chart, the two models differ on ${percent("memory-only", "velocity-only")}`;
 };
 
 const addSlider = (chart) => {

@@ -70,7 +70,7 @@ const addPlayer = (figure, data) => {
     const ink = getComputedStyle(canvas), own = playedAt(measured, at);
     data.lines.forEach((line, row) => {
       const drawn = own + times10 * (playedAt(line, at) - own), effort = efforts[row] ? playedAt(efforts[row], at) / strongest : 0;
-      pen.strokeStyle = pen.fillStyle = ["#0072b2", "#d55e00", "#009e73"][row] || ink.color;
+      pen.strokeStyle = pen.fillStyle = penColours()[row] || ink.color;
       data.turns ? drawDial(pen, drawn, row, effort, line.name) : drawSlide(pen, (drawn - low) / span, row, effort, line.name);
     });
     slider.value = String(Math.round((1000 * (at - first)) / (last - first || 1)));

@@ -1,6 +1,8 @@
 // Long time series can be looked into: dygraphs (inlined where a page has one) in place of the printed picture.
-// as in the printed picture
-const penColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+// as in the printed picture; the two blues are lighter on a dark page, as page.css has them
+const penColours = () => (matchMedia("(prefers-color-scheme: dark)").matches
+  ? ["#4a9fe0", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#a3dbff"]
+  : ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]);
 
 const sharedRows = (lines) => {
   const rows = new Map();
@@ -30,10 +32,11 @@ const addZoom = (figure, data, button) => {
     const ink = getComputedStyle(document.documentElement).getPropertyValue("--muted");
     // its legend writes style attributes, which the page's policy forbids; the values stand below instead
     Dygraph.PLUGINS = Dygraph.PLUGINS.filter((plugin) => plugin !== Dygraph.Plugins.Legend);
+    const colours = penColours();
     graph = new Dygraph(box, sharedRows(data.lines), {
       labels: ["x", ...data.lines.map((line) => line.name)], xlabel: data.xLabel, ylabel: data.yLabel,
-      colors: data.lines.map((line, i) => penColours[(line.place ?? i) % penColours.length]), strokeWidth: 1.5, connectSeparatedPoints: true,
-      legend: "never", showRangeSelector: true, rangeSelectorPlotStrokeColor: "#0072b2", rangeSelectorPlotFillColor: "#9cc7e6",
+      colors: data.lines.map((line, i) => colours[(line.place ?? i) % colours.length]), strokeWidth: 1.5, connectSeparatedPoints: true,
+      legend: "never", showRangeSelector: true, rangeSelectorPlotStrokeColor: colours[0], rangeSelectorPlotFillColor: "#9cc7e6",
       axisLineColor: ink, gridLineColor: "#8886", height: 380, axisLabelFontSize: 12, logscale: data.yLog,
       highlightCallback: (event, x, points) => say(x, points), unhighlightCallback: () => say(null),
       axes: { x: { valueFormatter: digits, axisLabelFormatter: digits }, y: { valueFormatter: digits, axisLabelFormatter: digits, axisLabelWidth: 74 } },

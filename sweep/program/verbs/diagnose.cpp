@@ -124,8 +124,8 @@ void print_answer(const JointDiagnosis& found, const GatheredRecords& given)
     if (!found.contradicted)
         for (const auto& warning : given.warnings) fmt::print("  {}\n", note_text(warning));
     for (const auto& cause : d.effects)
-        fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", fmt::format("{}", fmt::join(cause.names, " + ")),
-                   cause.probability, cause.misfit);
+        fmt::print("  {:<44} probability {:.3f}  misfit {:.4g}\n", together(cause.names), cause.probability,
+                   cause.misfit);
     constexpr double visible = 5e-4;
     if (const double none = probability_of_none(d); none > visible)
         fmt::print("  {:<44} probability {:.3f}\n", "none of these", none);

@@ -57,6 +57,7 @@ DetailedChart::Line before_line(const char* name, std::vector<double> time, std:
 {
     DetailedChart::Line line{name, std::move(time), std::move(values), true};
     line.place = place_before;
+    line.see_through = true;
     return line;
 }
 
@@ -64,7 +65,6 @@ DetailedChart::Line remaining_line(std::vector<double> time, std::vector<double>
 {
     DetailedChart::Line line{"after", std::move(time), std::move(values), false};
     line.place = place_after;
-    line.see_through = true;  // where it hides what was wrong before, nothing was gained
     return line;
 }
 

@@ -134,8 +134,9 @@ Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool
 {
     Figure figure;
     auto map = stability_map(units, slice, answer);
-    const auto needless = percent(share_of(slice, {Region::memory_only}));
-    const auto missed = percent(share_of(slice, {Region::velocity_only}));
+    const double needless_share = share_of(slice, {Region::memory_only});
+    const double missed_share = share_of(slice, {Region::velocity_only});
+    const auto needless = percent(needless_share), missed = percent(missed_share);
     const auto bistable = share_of(slice, {Region::bistable});
     figure.id = chart_id("map", slice.x, slice.y);
     figure.finding = "Stability map over " + slice.x.name + " and " + slice.y.name + ". Sliding is smooth on " +
@@ -145,13 +146,17 @@ Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool
                      (bistable > 0 ? percent(bistable) + " is bistable. " : "") +
                      design_point_text(map.design.region, map.design.spectral_abscissa, design_rests);
     figure.caption =
-        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Two models of the "
-        "same friction are compared. Solid: boundary with memory (state-variable friction). Dashed: boundary of the "
-        "velocity-only model. Hatched in gold: smooth, though the velocity-only model predicts stick-slip, " +
-        needless + " of the chart as drawn; the opposite error covers " + missed +
-        ". Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
-        ", not contoured from the grid; the search does not exclude a closed piece smaller than 1/" +
-        std::to_string(answer.mesh) + " of an axis." + held_words(slice, units);
+        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Solid: boundary with "
+        "memory (state-variable friction). Dashed: boundary of the velocity-only model of the same friction. ";
+    if (needless_share > 0)
+        figure.caption += "Hatched in gold, " + needless +
+                          " of the chart: smooth, though the velocity-only model predicts stick-slip. ";
+    if (missed_share > 0)
+        figure.caption += "Hatched crosswise, " + missed +
+                          " of the chart: not smooth, though the velocity-only model predicts smooth sliding. ";
+    figure.caption += "Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
+                      ", not contoured from the grid; the search does not exclude a closed piece smaller than 1/" +
+                      std::to_string(answer.mesh) + " of an axis." + held_words(slice, units);
     if (std::any_of(map.curves.begin(), map.curves.end(),
                     [](const Curve& c) { return c.kind == Curve::Kind::ideal_loop; }))
         figure.caption +=

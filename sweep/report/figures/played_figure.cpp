@@ -49,7 +49,7 @@ std::vector<Figure> played_figures(const Diagnosis& d)
         chart.shown_share = usual_share;
     }
     std::string words = "Position" + std::string(efforts ? " and effort" : "") + " over the whole record";
-    if (stride > 1) words += ", every " + std::to_string(stride) + "th sample";
+    if (stride > 1) words += ", one sample in " + std::to_string(stride);
     return {{"record-played", chart,
              words + ". On a screen the record can be played: the joint as it moved and as the " +
                  (trace.predicted ? "predictions" : "simulations") + " move it, their errors magnified.",

@@ -22,7 +22,7 @@ Table gains_table(const CorrectedGains& g, Units units)
              stable ? (c.margin >= g.right->margin_reach ? "> " : "") + plain_number(c.margin, 3) : "unstable",
              stable && std::isfinite(c.least_velocity) ? with_unit(c.least_velocity, Quantity::velocity, units) : "–"});
     };
-    add(g.right->feasible ? "right" : "nearest to feasible", g.right->best);
+    add(g.right->feasible ? "recommended" : "nearest to feasible", g.right->best);
     add("as in the joint", g.right->as_joint);
     return table;
 }
@@ -78,8 +78,8 @@ void add_corrected_gains(Section& section, const CorrectedGains& g, Units units,
     if (g.after && g.right && g.right->feasible) {
         auto chart = *g.after;
         chart.answer.design = g.at_right;
-        section.figures.push_back(
-            chart_figure(chart, g, units, "map-right", "joint " + with + " and its right gains", "the right"));
+        section.figures.push_back(chart_figure(chart, g, units, "map-right",
+                                               "joint " + with + " and the recommended gains", "the recommended"));
     }
     if (!g.motion_before.time.empty() || !g.motion_after.time.empty())
         section.figures.push_back(motion_figure(g, units, with));

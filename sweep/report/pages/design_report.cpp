@@ -26,6 +26,27 @@ Section map_section(const DesignAnswer& a)
     return {"map", "Where the gains lie", "", {std::move(figure)}, {}};
 }
 
+/// When the last of the lines has come to stay below a small part of the largest value of all, and a little longer.
+double until_settled(const std::vector<LineChart::Line>& lines)
+{
+    constexpr double small = 0.02, longer = 1.15;
+    double largest = 0, last = 0;
+    for (const auto& line : lines)
+        for (const double y : line.y) largest = std::max(largest, std::abs(y));
+    for (const auto& line : lines)
+        for (std::size_t i = 0; i < line.x.size(); ++i)
+            if (std::abs(line.y[i]) > small * largest) last = std::max(last, line.x[i]);
+    return longer * last;
+}
+
+void cut_after(LineChart::Line& line, double time)
+{
+    const auto end = std::upper_bound(line.x.begin(), line.x.end(), time) - line.x.begin();
+    constexpr std::ptrdiff_t least = 2;  // a line needs two points
+    const auto kept = static_cast<std::size_t>(std::max(end, std::min<std::ptrdiff_t>(least, std::ssize(line.x))));
+    line.x.resize(kept), line.y.resize(kept);
+}
+
 Section motion_section(const DesignAnswer& a)
 {
     const Units units = units_of(a.joint);
@@ -44,7 +65,11 @@ Section motion_section(const DesignAnswer& a)
     chart.lines.push_back({"best gains", a.motion.time, off(a.motion)});
     Figure figure;
     figure.id = "motion";
-    figure.caption = "Simulated from the disturbance that simulate takes by default; one motion is one example.";
+    const double shown = until_settled(chart.lines);
+    for (auto& line : chart.lines) cut_after(line, shown);
+    figure.caption =
+        "Simulated from the default disturbance of stickslip simulate, shown until both motions stay below 2 % of the "
+        "largest deviation; one motion is one example.";
     figure.finding = chart.title;
     figure.picture = std::move(chart);
     return {"motion-section", "How it moves", "", {std::move(figure)}, {}};

@@ -72,8 +72,11 @@ Section where_section(const Diagnosis& d)
 
 Section what_section(const Diagnosis& d)
 {
-    Section what{"what", "What causes it", "", {}, {causes_table(d), parameters_table(d)}};
-    if (auto values = values_table(d); !values.rows.empty()) what.tables.insert(what.tables.begin() + 1, values);
+    Section what{"what", "What causes it", "", {}, {causes_table(d)}};
+    auto values = values_table(d), parameters = parameters_table(d);
+    const bool all_said = values.rows.size() >= parameters.rows.size();
+    if (!values.rows.empty()) what.tables.push_back(std::move(values));
+    if (!all_said) what.tables.push_back(std::move(parameters));
     if (!d.ladder.empty()) what.figures.push_back(ladder_figure(d));
     what.text = d.verdict == Verdict::gap ? "Signature of the first: " + signature_text(d.effects[0].signatures) + "."
                                           : "No cause is named; these are the candidates.";
@@ -147,9 +150,11 @@ Report diagnosis_report(const Diagnosis& diagnosis, const Joint& before, const J
     r.sections.push_back(much_section(d));
     r.sections.push_back(next_section(d));
     if (d.verdict == Verdict::gap && !rig) r.sections.push_back(boundary_section(d, moved, gains, units_of(before)));
+    const std::string method = method_text(d);
     r.sections.push_back({"data",
                           "Data",
-                          "diagnosis.json beside this page has every number of this page under stable names.",
+                          (method.empty() ? "" : method + " ") +
+                              "diagnosis.json beside this page has every number of this page under stable names.",
                           {},
                           {records_table(d)}});
     return r;

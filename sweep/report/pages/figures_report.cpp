@@ -3,6 +3,7 @@
 #include "analysis/results/text.h"
 #include "sweep/report/figures/model_drawing.h"
 #include "sweep/report/pages/reduction_section.h"
+#include "sweep/words/interval_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +38,11 @@ Section models_section(const std::vector<PaperModel>& models)
     table.columns = {"figure", "model", "slides at k_{p} =", "stable k_{p}", "max Re s"};
     for (const auto& model : models) {
         section.figures.push_back(model_drawing_figure(model.joint, model.id));
-        std::string gains;
-        for (const auto& i : model.verdict.state_variable.stable_intervals)
-            gains += (gains.empty() ? "" : ", ") +
-                     range_text(i.low, i.high, Quantity::stiffness, Units(Motion::prismatic), low_to_high, 4);
         table.rows.push_back(
             {model.id, model_title(model.id),
              with_unit(model.joint.control.k_p, Quantity::stiffness, Units(Motion::prismatic)),
-             gains.empty() ? "none" : gains,
+             intervals_text(model.verdict.state_variable.stable_intervals, Quantity::stiffness,
+                            Units(Motion::prismatic)),
              with_unit(model.verdict.state_variable.spectral_abscissa, Quantity::rate, Units(Motion::prismatic), 4)});
     }
     section.tables.push_back(std::move(table));

@@ -51,10 +51,12 @@ Section response_section(const Joint& joint, const LinearDetails& details)
     Table table;
     table.title = "Margins of the loop";
     table.columns = {"quantity", "value"};
-    table.rows = {{"k_{p} may shrink to this part of itself", plain_number(m.gain_below, 4)},
-                  {"k_{p} may grow by this factor", plain_number(m.gain_above, 4)},
-                  {"phase margin", degrees(m.phase)},
-                  {"at the crossover frequency", words.frequency(m.crossover)}};
+    table.rows = {
+        {"k_{p} alone may fall", m.gain_below > 0 ? "to " + plain_number(m.gain_below, 4) + " × its value" : "to 0"},
+        {"k_{p} alone may grow",
+         std::isfinite(m.gain_above) ? "to " + plain_number(m.gain_above, 4) + " × its value" : "without limit"},
+        {"phase margin", degrees(m.phase)},
+        {"at the crossover frequency", words.frequency(m.crossover)}};
     section.tables.push_back(std::move(table));
     return section;
 }

@@ -4,6 +4,7 @@
 #include "analysis/results/text.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/effect_words.h"
 #include "sweep/words/robot_text.h"
 
 #include <fmt/format.h>
@@ -88,7 +89,7 @@ Table causes_table_of(const RobotAnswer& robot, bool linked, TableMarks& all_mar
         return found(j, Verdict::gap) && !j.diagnosis.ladder.empty() && j.diagnosis.corrected_share > worth_telling;
     });
     Table t{"Share of each cause in the gap of each joint", {"joint", "outcome"}, {}};
-    t.columns.insert(t.columns.end(), effects.begin(), effects.end());
+    for (const auto& effect : effects) t.columns.push_back(effect_words(effect));
     if (refitted) t.columns.emplace_back("parameters refitted");
     t.columns.emplace_back("what remains");
     CellMarks& marks = all_marks[t.title];

@@ -54,7 +54,7 @@ TEST_CASE("the page of a cause shows both joints over their gains, and gains tha
     CHECK_FALSE(slides("map-corrected"));
     CHECK(slides("map-right"));
     CHECK(map_of(section, "map-nominal")->x.values == map_of(section, "map-corrected")->x.values);
-    CHECK_THAT(section.text, Contains("Right for the joint with frictional-memory would be k_{p} = "));
+    CHECK_THAT(section.text, Contains("Recommended for the joint with frictional-memory: k_{p} = "));
     CHECK_THAT(section.text, Contains("states no noise") && Contains("states no period, and 1 ms was taken"));
     CHECK_THAT(section.tables[0].rows[0][1], Contains("1 mm/s") && !Contains("between"));
     CHECK_THAT(section.tables[0].rows[1][1], Contains("between"));
@@ -143,8 +143,8 @@ TEST_CASE("right gains behind dead time with a period are searched", "[report][s
     right.control.V0 = 1e-3, right.control.k_p = ticked.right->best.k_p, right.control.k_v = ticked.right->best.k_v;
     CHECK(linear_verdict(right).loop.kind == LoopKind::sampled);
     CHECK(linear_verdict(right).state_variable.stable);
-    CHECK_THAT(text_of(ticked, before), Contains("Right for the joint with frictional-memory would be k_{p} = ") &&
-                                            !Contains("states no period"));
+    CHECK_THAT(text_of(ticked, before),
+               Contains("Recommended for the joint with frictional-memory: k_{p} = ") && !Contains("states no period"));
 }
 
 TEST_CASE("an interruption of the search for gains leaves the rest of the page", "[report]")

@@ -84,33 +84,34 @@ TEST_CASE("causes that the records cannot distinguish are all named in the first
 {
     Diagnosis d = named();
     d.effects[0].names = {"saturation", "constant-load"};
-    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from saturation with constant-load: on"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from saturation with constant load: on"));
     d.ambiguous_with = {{"saturation", "sensor-offset"}};
     CHECK_THAT(diagnosis_sentence(d),
-               Contains("The gap comes from one of saturation with constant-load, saturation with sensor-offset, "
+               Contains("The gap comes from one of saturation with constant load, saturation with sensor offset, "
                         "which these records cannot distinguish: on"));
     d = named();
     d.ambiguous_with = {{"frictional-memory"}};  // the same cause
-    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional-memory: on"));
-    CHECK_THAT(diagnosis_sentence(d), Contains("cannot distinguish it from frictional-memory by another law"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional memory: on"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("cannot distinguish it from frictional memory by another law"));
 }
 
 TEST_CASE("the first sentence is as sure as the cause", "[report][gap]")
 {
     Diagnosis d = named();
-    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional-memory: on"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from frictional memory: on"));
     d.effects[0].probability = 0.7;
-    CHECK_THAT(diagnosis_sentence(d), Contains("The gap probably comes from frictional-memory (70 %): on"));
+    CHECK_THAT(diagnosis_sentence(d), Contains("The gap probably comes from frictional memory (70 %): on"));
     d.effects.push_back(d.effects[0]);
     d.effects[0].probability = 0.49, d.effects[1].probability = 0.03, d.effects[1].names = {"stribeck"};
-    CHECK_THAT(diagnosis_sentence(d), Contains("The likeliest cause of the gap is frictional-memory (49 %; that it is "
+    CHECK_THAT(diagnosis_sentence(d), Contains("The likeliest cause of the gap is frictional memory (49 %; that it is "
                                                "none of those listed: 48 %): on"));
     const auto page = [&] { return page_of(d, joint_with(slip_law(1e-5)), joint_with(slip_law(2e-5))); };
-    CHECK(page().verdict == "Likeliest, not certain (49 %): Friction remembers how it slid before.");
+    CHECK(page().verdict == "Likeliest, not certain (49 %): Friction depends on past motion.");
     CHECK_THAT(page().headlines[2].meaning, Contains("48 % that the cause is not listed"));
     // what two causes that nothing distinguishes have together counts
     d.effects[1].probability = 0.45, d.ambiguous_with = {{"stribeck"}};
-    CHECK_THAT(diagnosis_sentence(d), Contains("The gap comes from one of frictional-memory, stribeck, which"));
+    CHECK_THAT(diagnosis_sentence(d),
+               Contains("The gap comes from one of frictional memory, Stribeck friction, which"));
 }
 
 TEST_CASE("the probabilities of an answer make one, with that of none of its causes", "[report][gap]")
@@ -133,11 +134,11 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
     REQUIRE(r.headlines.size() == 4);
     const char* questions[] = {"cause:", "how much:", "how sure:", "location:"};
     for (std::size_t i = 0; i < 4; ++i) CHECK(r.headlines[i].meaning.starts_with(questions[i]));
-    CHECK(r.headlines[0].value == "frictional-memory");
+    CHECK(r.headlines[0].value == "frictional memory");
     CHECK(r.headlines[1].value == "− 76 %");
     CHECK(r.headlines[2].value == "90 %");
     CHECK(r.headlines[3].value == "motion");
-    CHECK(r.verdict == "Friction remembers how it slid before.");
+    CHECK(r.verdict == "Friction depends on past motion.");
     // anchors of a page are its own
     std::set<std::string> ids;
     for (const auto& section : r.sections) {
@@ -146,8 +147,8 @@ TEST_CASE("the first screen of a diagnosis says where, what, how much and how su
     }
     CHECK(ids.count("moved-boundary") == 1);
     CHECK(r.not_checked == std::vector<std::string>{"2 of 2 records: no effort was measured: inertia, gain and torque "
-                                                    "constant can be distinguished by friction and load only",
-                                                    "b.csv: irregular sampling; every row is used at its own time"});
+                                                    "constant can be distinguished by friction and load only.",
+                                                    "b.csv: irregular sampling; every row is used at its own time."});
 }
 
 TEST_CASE("the share that a cause explains is that of its own rungs", "[report]")
@@ -328,7 +329,8 @@ TEST_CASE("an experiment that would tell nothing is not proposed as one", "[repo
             if (s.id == "next") return s;
         return Section{};
     };
-    CHECK_THAT(said().text, Contains("No motion that was tried would distinguish stribeck from frictional-memory"));
+    CHECK_THAT(said().text,
+               Contains("No motion that was tried would distinguish Stribeck friction from frictional memory"));
     CHECK(said().figures.empty());
     d.next_experiment.distance = 12;
     CHECK_THAT(said().text, Contains("differ by 12.0 noise standard deviations"));
@@ -355,7 +357,7 @@ TEST_CASE("a page without a gap shows no shares of noise, and a suspicion is sai
     const auto refused = page_of(foreign, j, j);
     CHECK_THAT(refused.verdict, Contains("contradict each other"));
     CHECK(refused.alerts.size() == 1);
-    CHECK(refused.not_checked == std::vector<std::string>{"a column was ignored"});
+    CHECK(refused.not_checked == std::vector<std::string>{"A column was ignored."});
     CHECK(refused.subtitle.empty());
 }
 
@@ -377,13 +379,13 @@ TEST_CASE("numbers that the records do not pin are said to be so, others stand w
     CHECK(on_page);
 }
 
-TEST_CASE("a value has as many digits as show its interval", "[report]")
+TEST_CASE("a value stands with the decimals of its interval, in the unit that suits it", "[report]")
 {
     SheetValue v{"gravity amplitude", 14.00002, {13.9999, 14.0001}, "N·m"};
     v.pinned = true;
-    CHECK(value_text(v) == "14 (13.9999 … 14.0001) N·m");
+    CHECK(value_text(v) == "14.00002 (13.99990 … 14.00010) N·m");
     v.value = 0.09001, v.interval = {0.08996, 0.09005};
-    CHECK(value_text(v) == "0.09001 (0.08996 … 0.09005) N·m");
+    CHECK(value_text(v) == "90.010 (89.960 … 90.050) mN·m");
     v.interval = {0.09001, 0.09001};
-    CHECK(value_text(v) == "0.09001 (0.09001 … 0.09001) N·m");
+    CHECK(value_text(v) == "90.01 (90.01 … 90.01) mN·m");
 }

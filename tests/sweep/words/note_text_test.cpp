@@ -28,10 +28,10 @@ TEST_CASE("every code of a note has a name of its own and a sentence of its own"
 
 TEST_CASE("why the nearest cause is not the answer is said from its code and numbers", "[report]")
 {
-    CHECK(
-        note_text({.code = Code::takes_too_little, .names = {"stribeck", "viscous"}, .values = {0.31, 0.8}}) ==
-        "stribeck with viscous comes nearest, but explains only 31 % of what corrected parameters leave, of which 80 % "
-        "is explainable");
+    CHECK(note_text({.code = Code::takes_too_little, .names = {"stribeck", "viscous"}, .values = {0.31, 0.8}}) ==
+          "Stribeck friction with viscous friction comes nearest, but explains only 31 % of what corrected parameters "
+          "leave, of which 80 % "
+          "is explainable");
     Note force{.code = Code::nearer_force, .names = {"gravity"}, .signal = "position"};
     CHECK_THAT(note_text(force), Contains("gravity comes nearest, but a force that depends on the position alone"));
     force.signal = "hysteresis";
@@ -39,7 +39,7 @@ TEST_CASE("why the nearest cause is not the answer is said from its code and num
     CHECK_THAT(note_text({.code = Code::unexplained, .values = {0.58}}), Contains("the best leaves 58 % of it"));
     CHECK(note_text({.text = "as {it} stands"}) == "as {it} stands");
     CHECK(note_text({.code = Code::rig_laws_alike, .names = {"frictional-memory", "slip", "time", "ageing"}}) ==
-          "the law of frictional-memory is ambiguous: these data cannot distinguish the slip law, the time law and the "
+          "the law of frictional memory is ambiguous: these data cannot distinguish the slip law, the time law and the "
           "ageing law");
     CHECK(note_sentence({.text = "no cause fits"}) == "No cause fits.");
     CHECK(note_sentence({.text = "k_p is off"}) == "k_p is off.");
@@ -60,9 +60,10 @@ TEST_CASE("the numbers of a note stand in its sentence as they are", "[report]")
                Contains("in 2 ways (gain-k_p.factor = 1.083, encoder-quantum.value = 1e-05); if"));
     CHECK(note_text({.code = Code::same_settings, .record = "t.csv", .values = {2, 100}}) ==
           "t.csv: lines 2, 100 have the same settings and both outcomes");
-    CHECK_THAT(note_text({.code = Code::gains_not_judged, .values = {0.25}}), Contains("(misfit 0.250000 of its rms)"));
+    CHECK_THAT(note_text({.code = Code::gains_not_judged, .values = {0.25}}), Contains("(misfit 0.25 of its rms)"));
     CHECK(note_text({.code = Code::rejected_in_many_floors, .names = {"stribeck"}, .values = {7.5}}) ==
-          "stribeck fits best, but leaves 7.5 times the noise floor on held-out data, and the joint file states no "
+          "Stribeck friction fits best, but leaves 7.5 times the noise floor on held-out data, and the joint file "
+          "states no "
           "sensor noise: it is not "
           "named as the cause");
 }

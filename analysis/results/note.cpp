@@ -81,6 +81,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::force_beside_numbers, "force-beside-numbers"},
     {Code::force_in_the_rest, "force-in-the-rest"},
     {Code::rejected_worse, "withdrawn-worse"},
+    {Code::rejected_less_likely, "withdrawn-less-likely"},
     {Code::rejected_leaves_most, "withdrawn-leaves-most"},
     {Code::rejected_implausible, "withdrawn-implausible"},
     {Code::rejected_in_many_floors, "withdrawn-in-many-floors"},

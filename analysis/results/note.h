@@ -97,6 +97,7 @@ struct Note {
         rejected_worse,           ///< names fit best, but make held-out data worse
         rejected_leaves_most,     ///< names: of the gap on held-out data
         rejected_implausible,     ///< names: more than noise is left, and a number is at its bound
+        rejected_less_likely,     ///< names: than no cause of the catalogue; values: that probability
         rejected_in_many_floors,  ///< names; values: noise floors that remain; the noise is not documented
         doubted_above_noise,      ///< names, which may not act alone; values: noise floors that remain
         doubted_as_a_whole,  ///< names; values: what they explain of whole records, simulated, and noise floors that

@@ -154,6 +154,9 @@ constexpr Sentence sentences[] = {
      "catalogue, explains what it leaves"},
     {Code::rejected_worse,
      "{names} predicts unseen rows best, but makes the simulation of whole records worse: it is not the named cause"},
+    {Code::rejected_less_likely,
+     "{names} comes nearest, but it is likelier ({share0}) that no cause of the catalogue is the answer: none is "
+     "named"},
     {Code::rejected_leaves_most,
      "{names} fits best, but leaves most of the gap on held-out data: it is not named as the cause"},
     {Code::rejected_implausible,

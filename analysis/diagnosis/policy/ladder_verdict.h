@@ -129,6 +129,9 @@ inline constexpr double believed_simulated = 0.5;
 /// zone in the drive, two constants of a motor at once): both are wrong, at 0.94 and 0.43; none of the 40 right ones
 /// is. Two are few, hence no less than a half.
 inline constexpr double believed_held_back = 0.5;
+/// Probability that none of the catalogue is the cause, above which the only cause of a ladder is not named.
+/// Definition: it is likelier than all causes together.
+inline constexpr double likelier = 0.5;
 /// Findings of the audit from which on the record is called that of another joint and nothing else is concluded.
 /// Reason: encoder and controller of one machine are set one by one, and seldom three of them wrongly. Evidence: none
 /// yet; chosen.

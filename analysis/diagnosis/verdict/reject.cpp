@@ -37,11 +37,19 @@ bool simulates_too_little(const OverallGap& gap)
     return gap.explained < policy::simulated_least && gap.after > policy::more_than_noise * gap.noise();
 }
 
+/// Whether one cause, on the only rung of its ladder, is all that is named.
+bool alone(const Diagnosis& d, const Standing& standing)
+{
+    return standing.findings == 0 && d.ladder.size() == 1 && !d.effects.empty() && d.effects[0].names.size() == 1;
+}
+
 /// Nothing where the cause may stay.
 std::optional<Note> why_rejected(const Diagnosis& d, const Standing& standing)
 {
     const OverallGap& gap = d.overall;
     if (gap.worse()) return Note{Note::Code::rejected_worse};
+    if (const double none = probability_of_none(d); standing.predicted && alone(d, standing) && none > policy::likelier)
+        return Note{.code = Note::Code::rejected_less_likely, .values = {none}};
     if (standing.settled) return std::nullopt;
     if (gap.left() >= policy::mostly_left) return Note{Note::Code::rejected_leaves_most};
     if (!d.effects.empty() && !d.effects[0].plausible) return Note{Note::Code::rejected_implausible};

@@ -14,8 +14,9 @@ struct Standing {
     std::size_t findings = 0;       ///< rungs at the head of the ladder that the controller's audit found
 };
 
-/// The verdict becomes `unknown` if the named cause enlarges the gap on held-out data, or if an unsettled cause leaves
-/// more than half of it, many times an undocumented noise floor, or a residual in spite of implausible parameters. The
+/// The verdict becomes `unknown` if the named cause enlarges the gap on held-out data, if the only cause of a ladder is
+/// less likely than none of the catalogue, or if an unsettled cause leaves more than half of the gap, many times an
+/// undocumented noise floor, or a residual in spite of implausible parameters. The
 /// reasons say why, `ambiguous_with` is emptied, the ranking stays. A ladder of predictions stays, too, where only the
 /// simulation of whole records gets worse: what was gained from row to row was gained, though it names no cause. An
 /// unsettled cause that leaves more than a documented noise has a lower probability, and so has one that explains much

@@ -191,3 +191,29 @@ TEST_CASE("a joint whose predictions hide in the noise is not free of a gap that
     d.verdict = Verdict::gap;
     CHECK_FALSE(reject_no_gap(d));
 }
+
+TEST_CASE("the only cause of a ladder is not named where none of the catalogue is likelier", "[gap]")
+{
+    const auto rejected = [](double probability, std::vector<std::string> names, std::size_t findings) {
+        auto d = leaving(3, 1.2);
+        d.effects.resize(1);
+        d.effects[0].names = std::move(names), d.effects[0].probability = probability;
+        LadderRung rung;
+        rung.names = d.effects[0].names, rung.share = 0.6, rung.probability = probability;
+        d.ladder = {rung};
+        const bool taken_back = reject_if_not_validated(d, {.settled = true, .predicted = true, .findings = findings});
+        CHECK(taken_back == (d.verdict == Verdict::unknown));
+        if (taken_back) {
+            REQUIRE(d.reasons.size() == 1);
+            CHECK(d.reasons[0] ==
+                  Note{.code = Note::Code::rejected_less_likely, .names = {"stribeck"}, .values = {1 - probability}});
+            CHECK(d.ladder.empty());
+            CHECK(d.remainder.share == 1);
+        }
+        return taken_back;
+    };
+    CHECK(rejected(0.34, {"stribeck"}, 0));
+    CHECK_FALSE(rejected(0.51, {"stribeck"}, 0));
+    CHECK_FALSE(rejected(0.34, {"stribeck", "gravity"}, 0));  // of a set a part may still be right
+    CHECK_FALSE(rejected(0.34, {"stribeck"}, 1));             // the audit of the controller does not rest on rows
+}

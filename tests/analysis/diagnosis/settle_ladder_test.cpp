@@ -46,3 +46,26 @@ TEST_CASE("a number whose own error reaches the document is no cause", "[gap][la
     CHECK(j.ladder.rungs.empty());
     CHECK(j.only_corrections);
 }
+
+TEST_CASE("a last rung that may take nothing is no rung", "[gap][ladder]")
+{
+    // readings that are held now and then leave more than noise, of which a second cause makes a little by chance
+    Machine m;
+    m.viscous = 6;
+    LadderRecords records(m, {"viscous", "gravity"}, 0.03);
+    const Fit fit{records.cases, records.scales, records.nominal, in_order};
+    Attribution known;
+    known.candidate = {{effect_named("viscous"), effect_named("gravity")},
+                       {&effect_named("viscous")->forms[0], &effect_named("gravity")->forms[0]},
+                       records.cases.size()};
+    known.x.fill(to_fit(known.candidate, {4.5, 0.01}));
+    auto j = records.judged(records.search->of(known));
+    REQUIRE(j.ladder.rungs.size() == 2);
+    REQUIRE_FALSE(j.noise_left);
+    const OnlyNoise only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
+    const std::vector<Attribution> none;
+    const std::vector<Joint> documented(records.cases.size(), test::nominal_joint());
+    settle_ladder(*records.search, fit, {none, only_noise, documented, 2}, j);
+    REQUIRE(j.ladder.rungs.size() == 1);
+    CHECK(j.ladder.last().causes.effects[0]->name == "viscous");
+}

@@ -26,7 +26,8 @@ def table(cases):
         for threshold, sides in case["thresholds"].items():
             for side, all_values in (("below", below), ("above", above)):
                 counts[threshold] += sides[side]["count"]
-                all_values[threshold] += [(value, name) for value in sides[side]["nearest"]]
+                # what is not a number in JSON is infinite, and near nothing
+                all_values[threshold] += [(value, name) for value in sides[side]["nearest"] if value is not None]
     print(f"{'threshold':36}{'compared':>9}  nearest below … nearest above")
     for threshold, count in counts.items():
         low = [f"{value:.4g} ({case})" for value, case in sorted(below[threshold])[-KEPT:]]

@@ -45,6 +45,10 @@ inline constexpr std::array physical_ranges{
     /// Evidence: none yet; chosen. Units differ by more than either end, slipping wheels by less.
     PhysicalRange{"sensor-offset", "scale", 0.8, 1.25, Per::scale,
                   "lines and gear teeth are counted: a scale is wrong by a slipping wheel or a unit, not by a half"},
+    /// Evidence: a drag with the square of the speed was a viscous slope and a Stribeck peak in the place of a Coulomb
+    /// level of 0.2 % of its document; wrong documents in other cases are wrong by a factor of three at most.
+    PhysicalRange{"coulomb-level", "change", -0.95, 1e9, Per::coulomb,
+                  "what slides dry keeps a level: one that vanishes is another curve's, a peak or a slope"},
     /// Evidence: none yet; chosen.
     PhysicalRange{"supply-sag", "resistance", 0, 3, Per::winding,
                   "a source weaker than a third of the motor could not run it (maximum power at equal resistances)"},
@@ -88,7 +92,7 @@ inline constexpr LadderRules ladder{
     /// chosen.
     .worth_a_rung = 0.02,
     /// Part of what remains (`part_taken`) that a rung must take. Reason: an imperfect form of another cause leaves
-    /// more. Evidence: none yet; chosen.
+    /// more. Evidence: in 50 cases of two other simulators, of 69 values none lies between 0.07 and 0.62.
     .of_the_rest = 0.15,
     /// Part of its gain that a rung may lose in one fold. Reason: a limit that one step reaches does nothing elsewhere.
     /// Evidence: none yet; chosen. It was set for one case with such a limit.
@@ -155,7 +159,7 @@ inline constexpr double inside_bound = 0.01;
 inline constexpr double slack_of_runs = 1.25;
 /// Part of the span up to which the spread of simulations of one joint counts as noise. Reason: an unstable or chaotic
 /// simulation differs from itself by a large part of the motion, and any record would be within its spread. Evidence:
-/// none yet; chosen.
+/// in 50 cases of two other simulators, of 280 values none is above 0.00041.
 inline constexpr double own_part = 0.02;
 /// Standard deviations of a reading up to which the same spread counts as noise whatever its part of the span. Reason:
 /// a joint that hardly moves has a small span. Evidence: none yet; chosen.
@@ -171,8 +175,8 @@ inline constexpr double out_of_question = 4;
 /// Evidence: none yet; chosen.
 inline constexpr double out_of_sight = 8;
 /// Part of what an effect takes off in a record that is held out, below which the others hardly show it: thirds of that
-/// record are held out in its place. Reason: what is not in the other records cannot be fitted to them. Evidence: none
-/// yet; chosen.
+/// record are held out in its place. Reason: what is not in the other records cannot be fitted to them. Evidence: in 50
+/// cases of two other simulators, of 231 values none is below 0.12.
 inline constexpr double hardly_in_others = 0.1;
 
 }  // namespace stickslip::gap::policy

@@ -48,6 +48,11 @@ inline constexpr double doubt_of_rest = 0.22;
 /// are off, right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside
 /// the published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
+/// The same of its chance beside what the ladder leaves, whatever rivals it has. Reason: what remains may be what the
+/// rung only begins to take, and rivals do not tell. Evidence: of 55 second and later rungs in 42 answers all five
+/// below it are wrong, at 0.18 to 0.67 (an inertia, a viscous slope, a memory, a Stribeck curve of 0.06 % of the gap
+/// that halved a right answer, a Coulomb level); of the right ones the least has 0.78.
+inline constexpr double least_chance_beside_the_rest = 0.7;
 /// Multiple of what a ladder leaves that its last of several rungs must take (`part_taken`) to keep its chance, which
 /// falls in proportion below. Reason: where more remains than the rung takes, what it takes may be a part of what
 /// remains, which has another cause. Evidence: in dirty blind cases a delay of a third of a sample took 0.7 of what it
@@ -111,7 +116,8 @@ inline constexpr double numbers_to_noise = 0.9;
 /// an asymmetry of 5 %, a viscous friction, a Stribeck peak, an inertia with a filter).
 inline constexpr double numbers_and_more = 0.75;
 /// Part of the squares that all corrections take. A correction is reported as a wrong parameter if its removal costs
-/// that much. Reason: a parameter that only follows the others costs less. Evidence: none yet; chosen.
+/// that much. Reason: a parameter that only follows the others costs less. Evidence: in 50 cases of two other
+/// simulators, of five values none lies between 0.0096 and 0.26.
 inline constexpr double worth_correcting = 0.05;
 /// Part of the gap that a ladder's causes have to explain where whole records that no fit has seen are simulated. If
 /// they explain less and leave `more_than_noise`, their probability is at most `believed_simulated`. Reason: the ladder
@@ -129,12 +135,12 @@ inline constexpr double believed_simulated = 0.5;
 /// zone in the drive, two constants of a motor at once): both are wrong, at 0.94 and 0.43; none of the 40 right ones
 /// is. Two are few, hence no less than a half.
 inline constexpr double believed_held_back = 0.5;
-/// Probability that none of the catalogue is the cause, above which the only cause of a ladder is not named.
-/// Definition: it is likelier than all causes together.
+/// Probability that none of the catalogue is the cause, above which the only cause of a ladder is not named. Reason: a
+/// cause is no answer beside one that is likelier. Definition: likelier than all causes together, a half.
 inline constexpr double likelier = 0.5;
 /// Findings of the audit from which on the record is called that of another joint and nothing else is concluded.
-/// Reason: encoder and controller of one machine are set one by one, and seldom three of them wrongly. Evidence: none
-/// yet; chosen.
+/// Reason: encoder and controller of one machine are set one by one, and seldom three of them wrongly. Evidence: in 50
+/// cases of two other simulators, of 50 values none is above 1.
 inline constexpr double findings_of_another_joint = 3;
 
 }  // namespace stickslip::gap::policy

@@ -33,8 +33,8 @@ inline constexpr double beyond_stroke = 0.05;
 /// Multiple of the largest speed that the records have shown, up to which the simulated joint may go in a proposed
 /// motion. Reason: what has not been shown may not be safe. Evidence: none yet; chosen.
 inline constexpr double beyond_speed = 1.1;
-/// The same of the acceleration. Reason: breaking away is sharper than what a record's noise lets be seen. Evidence:
-/// none yet; chosen.
+/// The same of the acceleration. Reason: breaking away is sharper than what a record's noise lets be seen. Evidence: in
+/// 50 cases of two other simulators, of 168 values none is above 1.28.
 inline constexpr double beyond_acceleration = 2.2;
 /// Part of the speed and acceleration of the records that a proposed reference uses. Reason: a closed loop overshoots.
 /// Evidence: none yet; chosen. With less a proposed motion is slower; `beyond_speed` judges it in any case.

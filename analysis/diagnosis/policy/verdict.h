@@ -68,7 +68,8 @@ inline constexpr double hopeless = 3;
 /// Evidence: none yet; chosen.
 inline constexpr double turned_back = 2.0 / 3;
 /// Multiple of the usual size of a parameter that is implausible. Reason: a document is wrong by a part of what it
-/// states; ten times as much is something else. Evidence: none yet; chosen.
+/// states; ten times as much is something else. Evidence: in 50 cases of two other simulators, of 1953 values none is
+/// above 8.8.
 inline constexpr double implausible_size = 10;
 /// Least usual size that counts for `implausible_size`, in units of the parameter. Reason: a parameter whose usual size
 /// is next to nothing would be implausible whenever it is there. Evidence: none yet; chosen.

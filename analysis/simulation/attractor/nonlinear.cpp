@@ -2,6 +2,7 @@
 #include "analysis/simulation/attractor/nonlinear.h"
 
 #include "analysis/base/require_valid.h"
+#include "analysis/loop/loop_use.h"
 #include "analysis/simulation/attractor/attractor.h"
 #include "analysis/simulation/attractor/criticality.h"
 #include "analysis/simulation/attractor/growth.h"
@@ -56,7 +57,7 @@ struct LinearSide {
 LinearSide linear_side(const Joint& joint)
 {
     LinearJoint linear = linear_joint(joint, steady_sliding(joint).slides_at);
-    LinearSide side{spectral_abscissa(linear)};
+    LinearSide side{loop_kind(joint) == LoopKind::ideal ? spectral_abscissa(linear) : growth_rate(joint)};
     linear.k_p *= another_gain;
     side.undamped = side.abscissa == 0 && spectral_abscissa(linear) == 0;
     return side;

@@ -25,11 +25,12 @@ inline Gains gains_of(const Control& control)
     return {K_v * control.position_gain + K_i, K_v, K_i * control.position_gain};
 }
 
-/// The numbers of either structure that a user turns: of the position error, and of the velocity error.
+/// The number that a user turns for the position error, in either structure: k_p or K_pos.
 inline double& stated_position_gain(Control& control)
 {
     return control.structure == Structure::cascade ? control.position_gain : control.k_p;
 }
+/// The same for the velocity error: k_v or K_v.
 inline double& stated_velocity_gain(Control& control)
 {
     return control.structure == Structure::cascade ? control.velocity_gain : control.k_v;

@@ -11,15 +11,6 @@ namespace {
 /// Of an effect beside which another counts for nothing.
 constexpr double nothing_beside = 0.01;
 
-/// What a unit of the controller's output is as an effort, nothing of the supply's sag counted.
-double effort_per_command(const Joint& joint)
-{
-    const auto& a = joint.actuator;
-    if (a.kind == ActuatorKind::effort) return a.effort_gain;
-    const bool duty = a.signal == DriveSignal::duty;
-    return a.effort_gain * a.k_t / a.resistance * (duty ? a.supply_voltage : 1);
-}
-
 /// All that moves with the link, in joint coordinates.
 double moved_inertia(const Mechanism& m)
 {
@@ -41,6 +32,14 @@ double compliance(const Mechanism& m)
 }
 
 }  // namespace
+
+double effort_per_command(const Joint& joint)
+{
+    const auto& a = joint.actuator;
+    if (a.kind == ActuatorKind::effort) return a.effort_gain;
+    const bool duty = a.signal == DriveSignal::duty;
+    return a.effort_gain * a.k_t / a.resistance * (duty ? a.supply_voltage : 1);
+}
 
 bool push_is_felt(const Joint& joint)
 {

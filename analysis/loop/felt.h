@@ -4,6 +4,9 @@
 
 namespace stickslip {
 
+/// What a unit of the controller's output is as an effort, nothing of the supply's sag counted.
+double effort_per_command(const Joint& joint);
+
 /// Whether a push by the position error adds to the slopes of the loop at V_0. Beside a jump there is no slope.
 bool push_is_felt(const Joint& joint);
 

@@ -220,9 +220,9 @@ TEST_CASE("a cycle that moves backwards is not said to stick all that time")
     cycle.amplitude = 0.0155, cycle.period = 0.032, cycle.stick_fraction = 0.4957;
     cycle.velocity_min = -2.99, cycle.velocity_max = 3.1;
     const Joint joint = samples::single_mass(1);
-    CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking or moving backwards"), "0.496"));
+    CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking or moving backwards"), "49.6"));
     cycle.velocity_min = 0;
-    CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking"), "0.496"));
+    CHECK(has(cell(nonlinear_table(joint, cycle), "share of the period spent sticking"), "49.6"));
 }
 
 TEST_CASE("A joint that is not computed has no empty sets of gains, and says which terms stand together", "[report]")

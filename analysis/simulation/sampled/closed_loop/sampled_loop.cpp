@@ -1,6 +1,8 @@
 // In one file: one loop, from each of its starts through its ticks.
 #include "analysis/simulation/sampled/closed_loop/sampled_loop.h"
 
+#include "analysis/loop/felt.h"
+
 namespace stickslip {
 namespace {
 
@@ -12,6 +14,10 @@ constexpr double slowest = 1e-9;  ///< of V_0, for bodies that rest: their frict
 /// its filters; but of filters far beyond the loop no more than follows their lag, which is that of a hold.
 constexpr double ticks_per_radian = 40, filter_part = 0.05, most_for_filters = 8;
 
+/// Of the time constant with which the velocity gain brakes the first body: held over the whole of it, the gain of an
+/// overdamped loop would throw the body back.
+constexpr double braking_part = 0.1;
+
 /// Of a usual tick. A lag as short as this is a dead time of its length: to the loop they differ by half the square of
 /// lag times frequency, 3e-8, but after each tick the lag would be a layer of many steps.
 constexpr double short_lag = 0.01;
@@ -20,15 +26,17 @@ double usual_tick(const Joint& joint)
 {
     const Chain chain = chain_of(joint);
     double fastest = 0, before = 0, friction = std::abs(joint.load.constant);
+    const double per_command = std::abs(effort_per_command(joint));
     for (int i = 0; i < chain.bodies; ++i) friction += chain.body[i].ratio * static_force(*chain.body[i].friction);
     for (int i = 0; i < chain.bodies; ++i) {  // a spring that hardens: stretched by twice what the joint carries
         const Spring spring = i + 1 < chain.bodies ? chain.spring(i) : Spring{joint.control.contact_stiffness};
         const double behind = spring.cubic > 0 ? spring.slope(spring.stretch(2 * friction)) : spring.stiffness;
-        const double held = before + behind + (i == 0 ? std::abs(joint.control.k_p) : 0);
+        const double held = before + behind + (i == 0 ? per_command * std::abs(joint.control.k_p) : 0);
         fastest = std::max(fastest, std::sqrt(held / chain.body[i].inertia));
         before = behind;
     }
-    return 1 / (ticks_per_radian * std::max(fastest, 1e-9));
+    const double braking = per_command * std::abs(joint.control.k_v) / chain.body[0].inertia;
+    return std::min(1 / (ticks_per_radian * std::max(fastest, 1e-9)), braking_part / std::max(braking, 1e-9));
 }
 
 Joint with_short_lag_as_delay(Joint joint)

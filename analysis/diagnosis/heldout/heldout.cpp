@@ -1,3 +1,4 @@
+// In one file: how records are held out, what stays of them, and what is left where they are simulated.
 #include "analysis/diagnosis/heldout/heldout.h"
 
 #include "analysis/diagnosis/fit/candidate_numbers.h"
@@ -118,6 +119,23 @@ Kept of_the_fold(const Candidate& candidate, const Fold& fold, std::size_t recor
     return kept;
 }
 
+/// What is kept of a number with a prior is its difference from that of the other records: what they have in common is
+/// the document's error, which the others tell by themselves.
+Eigen::VectorXd apart_from_the_others(const Candidate& candidate, const Kept& kept, Eigen::VectorXd x)
+{
+    const Eigen::VectorXd all = x;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        if (!kept[i] || !(candidate.sd_of(i) > 0)) continue;
+        double sum = 0, records = 0;
+        for (std::size_t k = 0; k < kept.size(); ++k)
+            if (record_of(candidate, k) && candidate.sd_of(k) > 0 &&
+                candidate.parameter(k).name == candidate.parameter(i).name)
+                sum += all[static_cast<Eigen::Index>(k)], records += 1;
+        x[static_cast<Eigen::Index>(i)] -= sum / records;
+    }
+    return x;
+}
+
 /// The joint of a fold after the cause is fitted to everything but the fold.
 Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& scales, const Attribution& found)
 {
@@ -132,8 +150,9 @@ Joint refitted(const std::vector<Case>& cases, const Fold& fold, const Scales& s
     constexpr int evaluations = 40;
     const Kept kept = of_the_fold(found.candidate, fold, c.number);
     const FitProblem problem{rest, found.candidate, scales, levels[level]};
-    const auto refit = rough ? search_rough(problem, found.x[level], evaluations, first_step, kept)
-                             : descend(problem, found.x[level], few, kept);
+    const Eigen::VectorXd start = apart_from_the_others(found.candidate, kept, found.x[level]);
+    const auto refit =
+        rough ? search_rough(problem, start, evaluations, first_step, kept) : descend(problem, start, few, kept);
     return edited(c.joint, found.candidate, problem.si(refit.x), c.number);
 }
 

@@ -48,11 +48,6 @@ inline constexpr double doubt_of_rest = 0.22;
 /// are off, right second rungs had 0.78 and more and the wrong one 0.30; on a measured ball screw a second rung beside
 /// the published asymmetry had 0.22.
 inline constexpr double least_chance_of_further_rung = 0.5;
-/// The same of its chance beside what the ladder leaves, whatever rivals it has. Reason: what remains may be what the
-/// rung only begins to take, and rivals do not tell. Evidence: of 55 second and later rungs in 42 answers all five
-/// below it are wrong, at 0.18 to 0.67 (an inertia, a viscous slope, a memory, a Stribeck curve of 0.06 % of the gap
-/// that halved a right answer, a Coulomb level); of the right ones the least has 0.78.
-inline constexpr double least_chance_beside_the_rest = 0.7;
 /// Multiple of what a ladder leaves that its last of several rungs must take (`part_taken`) to keep its chance, which
 /// falls in proportion below. Reason: where more remains than the rung takes, what it takes may be a part of what
 /// remains, which has another cause. Evidence: in dirty blind cases a delay of a third of a sample took 0.7 of what it

@@ -78,25 +78,20 @@ std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
     return all;
 }
 
-double chance_beside_the_rest(const JudgedLadder& j)
+std::vector<double> chances_of(const JudgedLadder& j)
 {
+    std::vector<double> chances;
     const double whole = std::max(1e-300, j.shares.base - j.shares.explainable_to);
     const double left = std::clamp((j.shares.rungs.back() - j.shares.explainable_to) / whole, 0.0, 1.0);
     const double rest = j.shares.rungs.back() / std::max(1e-300, j.shares.base) / policy::nearest_in_shape;
     const double doubt =
         policy::doubt_of_noise + (j.noise_left ? 0.0 : policy::doubt_of_rest * std::clamp(rest, 0.0, 1.0) + left);
-    return std::max(0.0, 1 - doubt) * part_kept(j);
-}
-
-std::vector<double> chances_of(const JudgedLadder& j)
-{
-    std::vector<double> chances;
     for (std::size_t i = 0; i < j.ladder.rungs.size(); ++i) {
         const auto odds = odds_of_rivals(j, i);
         const double sum = std::accumulate(odds.begin(), odds.end(), 1.0);
         // a rest speaks against the last cause that was found: the others take more than it does
         const bool last = i + 1 == j.ladder.rungs.size();
-        double chance = (last ? chance_beside_the_rest(j) : 1 - policy::doubt_of_noise) / sum;
+        double chance = std::max(0.0, 1 - (last ? doubt : policy::doubt_of_noise)) / sum * (last ? part_kept(j) : 1);
         if (last && !j.noise_left && holds_a_number_back(j.ladder.rungs[i]))
             chance = std::min(chance, policy::believed_held_back);
         chances.push_back(chance);

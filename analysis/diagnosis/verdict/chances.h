@@ -15,9 +15,6 @@ const Effect* small_term_between(const JudgedLadder& judged);
 /// Taken away, it would go back there, and bend the numbers of the causes that stay.
 bool frees_held_number(const Ladder& ladder);
 
-/// How sure the last rung is beside what the ladder leaves, whatever other causes could stand in its place.
-double chance_beside_the_rest(const JudgedLadder& judged);
-
 /// Whether every cause of a ladder is a number that the document states. It is further off than documents are, or it
 /// would be a correction: however little the records feel it, the document is wrong.
 bool only_stated_numbers(const Ladder& ladder);

@@ -69,9 +69,8 @@ void shorten_to_likely(LadderSearch& search, const Fit& fit, const std::vector<A
                        const OnlyNoise& only_noise, JudgedLadder& j)
 {
     const auto unlikely = [&] {
-        return !j.noise_left && j.ladder.rungs.size() > 1 && !frees_held_number(j.ladder) &&
-               (j.chances.back() < policy::least_chance_of_further_rung ||
-                chance_beside_the_rest(j) < policy::least_chance_beside_the_rest);
+        return !j.noise_left && j.ladder.rungs.size() > 1 && j.chances.back() < policy::least_chance_of_further_rung &&
+               !frees_held_number(j.ladder);
     };
     // where nothing can be named beside corrections that take most of the gap, they are the answer
     const auto corrections_alone = [&] {

@@ -141,6 +141,23 @@ bool LoopFollower::decays_linearly() const
     return true;
 }
 
+/// The same of a motion that does not swing: an overdamped joint comes back to V_0 from one side, in no turns at all.
+bool LoopFollower::dies_away()
+{
+    if (!options_.steady_attracts || !(options_.decay < 0)) return false;
+    const double apart = 1 / std::abs(options_.decay);
+    if (!(loop_.time() - last_crossing_ >= apart * static_cast<double>(excess_.size() + 1))) return false;
+    const auto& j = loop_.motion.joint;
+    excess_.push_back(j.velocity(loop_.motion.y.data(), j.link()) / V0_ - 1);
+    if (excess_.size() < 4) return false;
+    for (std::size_t i = excess_.size() - 3; i < excess_.size(); ++i) {
+        if (!(std::abs(excess_[i - 1]) < small_turn)) return false;
+        if (std::abs(excess_[i]) < smallest_turn) continue;
+        if (!(std::abs(std::log(excess_[i] / excess_[i - 1]) + 1) < alike)) return false;
+    }
+    return true;
+}
+
 /// The newest turns are so much alike that short blocks tell the change a turn as well as long ones.
 bool LoopFollower::repeats_evenly() const
 {
@@ -295,12 +312,17 @@ std::optional<LoopEnd> LoopFollower::after_even_tick()
         turns_.push_back(turn);
         ++all_turns_;
         last_crossing_ = turn.t1;
+        excess_.clear();
         if (auto end = decide()) return end;
+    } else if (dies_away()) {
+        if (std::isnan(first_peak_)) first_peak_ = watch.present().peak(V0_);
+        return ended(LoopEnd::Kind::steady);
     } else if (!(loop_.time() - last_crossing_ < patience * options_.turn + 2 * options_.held)) {
         const auto& now = watch.present();
         if (std::isnan(first_peak_)) first_peak_ = now.peak(V0_);
         if (speed_of(now, V0_) < small_turn && options_.steady_attracts) return ended(LoopEnd::Kind::steady);
         last_crossing_ = loop_.time();
+        excess_.clear();
         const bool slow = std::max(std::abs(now.velocity_min), std::abs(now.velocity_max)) < 0.01 * std::abs(V0_);
         if (slow && options_.stays) {
             LoopEnd held = ended(LoopEnd::Kind::held);

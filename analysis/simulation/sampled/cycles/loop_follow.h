@@ -61,6 +61,7 @@ class LoopFollower {
     std::optional<LoopEnd> after_even_tick();
     std::optional<LoopEnd> after_uneven_tick();
     bool decays_linearly() const;
+    bool dies_away();
     bool repeats_evenly() const;
     double last_growth() const;
     bool waits_for_integral(const LoopTurn& turn) const;
@@ -75,6 +76,7 @@ class LoopFollower {
     const LoopFollowOptions options_;
     double V0_, last_crossing_;
     std::vector<LoopTurn> turns_;  ///< since the motion was last scaled
+    std::vector<double> excess_;   ///< of the link's velocity, per V_0, a time constant of the decay apart
     CreepSearch creep_;
     long ticks_ = 0;
     int all_turns_ = 0, blocks_ = 0;

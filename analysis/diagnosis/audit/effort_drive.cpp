@@ -40,12 +40,43 @@ EffortTerms terms_of(const Record& r, const Joint& joint)
         terms.velocity.push_back(r.velocity.empty() ? slope(r.position, r.time, k) : r.velocity[k]);
         terms.rate.push_back(r.reference_velocity.empty() ? slope(r.reference_position, r.time, k)
                                                           : r.reference_velocity[k]);
+        terms.acceleration.push_back(0);
         const double predicted = innovation.predicted_effort[tick];
         terms.documented.push_back(std::isfinite(predicted) ? predicted : 0);
         terms.added.push_back(r.feed_forward.empty() ? 0 : r.feed_forward[k]);
         terms.effort.push_back(r.effort_measured[k]);
     }
+    for (std::size_t k = 0; k < r.rows(); ++k) terms.acceleration[k] = slope(terms.rate, r.time, k);
     return terms;
+}
+
+/// The Coulomb feed-forward of a reference that moves, by the velocity at which most of it is there.
+std::vector<double> direction_of(const std::vector<double>& rate, double speed)
+{
+    std::vector<double> along;
+    for (const double v : rate) along.push_back(std::tanh(v / speed));
+    return along;
+}
+
+/// Part of the squares that the documented structure leaves beside a feed-forward.
+double left_beside_feed_forward(const EffortTerms& terms)
+{
+    constexpr double shares[] = {0.003, 0.01, 0.03, 0.1, 0.3};  // numerical: of the usual speed, half a decade apart
+    double squares = 0, left = 1;
+    for (const double v : terms.rate) squares += v * v;
+    const double usual = std::sqrt(squares / static_cast<double>(terms.rate.size()));
+    if (!(usual > 0)) return left;
+    for (const double share : shares) {
+        const auto along = direction_of(terms.rate, share * usual);
+        for (std::size_t late = 0; late <= policy::most_rows_late; ++late) {
+            const EffortRegression fed(terms,
+                                       {&terms.documented, &terms.error, &terms.velocity, &terms.rate, &terms.added,
+                                        &terms.acceleration, &along},
+                                       false, late);
+            if (fed.solved()) left = std::min(left, fed.left());
+        }
+    }
+    return left;
 }
 
 }  // namespace
@@ -56,6 +87,11 @@ Record with_effort_of_current(Record record, const Joint& joint)
     for (double i : record.current)
         record.effort_measured.push_back(joint.actuator.effort_gain * joint.actuator.k_t * i);
     return record;
+}
+
+bool EffortOfController::documented_one() const
+{
+    return left < policy::made_by_controller || (left_fed < policy::made_by_feed_forward && left_fed < left_pid);
 }
 
 EffortOfController effort_of_controller(const Record& record, const Joint& joint)
@@ -79,6 +115,7 @@ EffortOfController effort_of_controller(const Record& record, const Joint& joint
         found.left_pid = pid.left();
         found.k_p = pid.numbers()[0], found.k_v = -pid.numbers()[1], found.k_i = pid.numbers()[2];
     }
+    if (found.judged && found.left >= policy::made_by_controller) found.left_fed = left_beside_feed_forward(terms);
     return found;
 }
 
@@ -94,7 +131,7 @@ EffortDrive drive_by_effort(std::vector<Record>& records, const Joint& nominal, 
         drive.controllers.back() = effort_of_controller(converted, joint);
         // where nothing can be said of it, the documented one stands
         const auto& controller = drive.controllers.back();
-        if (!controller.judged || controller.left < policy::made_by_controller) return {};
+        if (!controller.judged || controller.documented_one()) return {};
     }
     std::erase_if(notes, [](const Note& n) { return n.code == Note::Code::no_command; });
     for (std::size_t i = 0; i < records.size(); ++i) {

@@ -18,9 +18,13 @@ struct EffortOfController {
     double as_documented = 1;  ///< left by the documented controller as it is
     double left = 1;      ///< by its structure: its own effort and its terms with free gains, up to a few rows late
     double left_pid = 1;  ///< by a PID and a constant
+    double left_fed = 1;  ///< by its structure beside a feed-forward of acceleration and Coulomb friction
     double k_p = 0, k_v = 0, k_i = 0;  ///< of that PID, effort per error, per rate and per integral
     bool velocity_logged = false;      ///< not made of differences of the position
     std::vector<double> error{};       ///< measured less documented effort, row by row
+
+    /// Gains, limits, delays and a feed-forward that differ leave it the controller of the document.
+    bool documented_one() const;
 };
 EffortOfController effort_of_controller(const Record& record, const Joint& joint);
 

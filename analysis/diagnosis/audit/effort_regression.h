@@ -7,7 +7,7 @@ namespace stickslip::gap {
 
 /// What a controller could have made its effort of, one row an entry.
 struct EffortTerms {
-    std::vector<double> error, integral, velocity, rate, documented, added, effort;
+    std::vector<double> error, integral, velocity, rate, acceleration, documented, added, effort;
 };
 
 /// Least squares of the effort on some columns, `late` rows before it.

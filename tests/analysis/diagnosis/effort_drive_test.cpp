@@ -129,6 +129,10 @@ TEST_CASE("a controller that differs by its gains or behind a limit is still the
         m.limit = 3;
         m.noise = 1e-4;
     }
+    SECTION("a feed-forward that makes most of the effort")
+    {
+        m.fed = m.inertia, m.pushed = m.coulomb;
+    }
     std::vector<Record> records{without_command(m, 1, true)};
     std::vector<Note> notes;
     drive_by_effort(records, test::nominal_joint(), notes);

@@ -32,6 +32,8 @@ struct Machine {
     double k_i = 0;               ///< N/(m·s)
     double integral_limit = 1e9;  ///< N, of the integral's share of the command
     double fed = 0;               ///< kg: so much of the acceleration of a planner at 50 Hz is added to the command
+    double pushed = 0;  ///< N, added to the command along the velocity of the reference, all of it from there on
+    double pushed_from = 0.01;    ///< m/s
     double ripple = 0;            ///< N, of the Coulomb level over the position
     double cogging = 0;           ///< N
     double peak = 0;              ///< N: friction falls from this much above its level as 1/(1 + (v/peak_velocity)²)
@@ -136,6 +138,7 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         const double planned = 0.02 * std::floor(t / 0.02) + 0.01, apart = 1e-3;
         const double bend = reference(planned + apart) - 2 * reference(planned) + reference(planned - apart);
         u += m.fed * std::clamp(bend / (apart * apart), -2.0, 2.0);
+        u += m.pushed * std::clamp(rate / m.pushed_from, -1.0, 1.0);
         if (m.command_step > 0) u = m.command_step * std::round(u / m.command_step);
         u = std::clamp(u, -m.command_limit, m.command_limit);
         r.time.push_back(t);

@@ -170,6 +170,14 @@ FittedSet LadderSearch::with_an_exchange(FittedSet set)
     return better == others.end() ? set : without_idle(in_best_forms(settled(*better)));
 }
 
+const FittedSet* LadderSearch::nearest_at_bounds(const std::vector<FittedSet>& tried, const FittedSet& below) const
+{
+    const auto nearest =
+        std::ranges::find_if(tried, [](const auto& t) { return !t.correction && t.causes.effects.size() > 1; });
+    const bool stuck = nearest != tried.end() && !nearest->plausible && earns(below, *nearest, rules_);
+    return stuck ? &*nearest : nullptr;
+}
+
 FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs,
                                 const OnlyNoise& only_noise)
 {
@@ -193,6 +201,11 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         }
         if (at_start && most_rungs > 1) {
             for (auto& s : climber_->judged(climber_->with_hidden_backlash(first_))) tried.push_back(std::move(s));
+            std::stable_sort(tried.begin(), tried.end(), best_first);
+        }
+        if (const auto best = earning(); const auto* stuck = nearest_at_bounds(tried, set)) {
+            if (best == tried.end() || stuck->misfit + margin_of(*stuck, rules_) < best->misfit)
+                for (auto& s : climber_->exchanged(FittedSet(*stuck))) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         if (at_start)

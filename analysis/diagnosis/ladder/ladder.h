@@ -136,6 +136,9 @@ class LadderSearch {
     FittedSet in_best_forms(FittedSet found);
     /// Without the causes that earn nothing beside what came after them.
     FittedSet without_idle(FittedSet set) const;
+    /// Of sets that were tried on top of one, best first: the nearest, where it would earn its place but for a number
+    /// at its bounds. The cause of that number may only stand in for another one, which is found by an exchange.
+    const FittedSet* nearest_at_bounds(const std::vector<FittedSet>& tried, const FittedSet& below) const;
     /// With a cause exchanged for another, if that comes nearer.
     FittedSet with_an_exchange(FittedSet set);
     /// Whether numbers of the document are nearer than a set of other causes.

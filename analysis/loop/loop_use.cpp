@@ -159,9 +159,9 @@ void leave_surroundings(Collector& c, const Joint& joint)
 
 GearSide gear_side(const Joint& joint)
 {
-    const double N = reading_per_joint(joint);
+    const double N = gear_ratio(joint), reading = reading_per_joint(joint);
     const bool dc_motor = joint.actuator.kind == ActuatorKind::dc_motor;
-    return {N, dc_motor ? N : N * N, dc_motor};
+    return {N, dc_motor ? reading : reading * N, dc_motor, reading == 1};
 }
 
 LoopUse loop_use(const Joint& joint)

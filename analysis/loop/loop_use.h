@@ -47,12 +47,15 @@ struct UnusedTerm {
     bool matters = false;  ///< a verdict without it may be wrong for motions of ordinary size
 };
 
-/// A gear between the motor, whose encoder the loop reads, and the joint. Verdicts count displacement, gains and
-/// efforts at the joint's side, records at the motor's.
+/// A gear between motor and joint. Verdicts count displacement, gains and efforts at the joint's side, records push the
+/// motor and read where the encoder is.
 struct GearSide {
     double ratio = 1;  ///< turns of the motor per turn of the joint; 1: none lies between
-    double gain = 1;   ///< k_p at the joint's side per k_p of a record: ratio², or ratio of a signal in volts or duty
-    bool dc_motor = false;  ///< k_t and k_e are counted at either side, too
+    /// k_p at the joint's side per k_p of a record: ratio², or ratio of a signal in volts or duty; of an encoder on the
+    /// link ratio, or 1.
+    double gain = 1;
+    bool dc_motor = false;    ///< k_t and k_e are counted at either side, too
+    bool reads_link = false;  ///< readings are the joint's in records as well
 
     bool between() const { return ratio != 1; }
 };

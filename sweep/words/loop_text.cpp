@@ -96,14 +96,22 @@ std::string side_text(const GearSide& side, bool of_record)
     if (!side.between()) return {};
     const auto gear = "the gear of " + plain_number(side.ratio, 4) + ":1";
     const auto times = plain_number(side.gain, 4) + " times", turns = plain_number(side.ratio, 4) + " times";
-    if (of_record)
-        return "Readings, gains and efforts of a record are at the motor side of " + gear +
-               "; verdicts and maps of the same file count them at the joint's, where k_{p} is " + times + " as large" +
-               (side.dc_motor ? " and so are k_{t} and k_{e}." : ".");
-    return "Displacement, gains and efforts are at the joint side of " + gear +
-           "; a record of the same file counts them at the motor's, where k_{p} is " + times + " smaller" +
-           (side.dc_motor ? ". k_{t} and k_{e} are the joint's as well: " + turns + " those of the motor's data sheet."
-                          : ".");
+    const auto constants = [&](const std::string& text) { return side.dc_motor ? text : std::string(); };
+    if (of_record) {
+        const auto where = std::string(side.reads_link ? "Readings of a record are the link's, its gains and efforts"
+                                                       : "Readings, gains and efforts of a record") +
+                           " are at the motor side of " + gear +
+                           "; verdicts and maps of the same file count them at the joint's, ";
+        return side.gain == 1
+                   ? where + "where k_{p} is the same" + constants(" and k_{t} and k_{e} are " + turns + " as large") +
+                         "."
+                   : where + "where k_{p} is " + times + " as large" + constants(" and so are k_{t} and k_{e}") + ".";
+    }
+    const auto where =
+        "Displacement, gains and efforts are at the joint side of " + gear + "; a record of the same file " +
+        (side.reads_link ? "reads the link and pushes the motor" : "counts them at the motor's") + ", where k_{p} is ";
+    return where + (side.gain == 1 ? "the same" : times + " smaller") +
+           constants(". k_{t} and k_{e} are the joint's as well: " + turns + " those of the motor's data sheet") + ".";
 }
 
 std::string unstable_loop_text(const UnstableLoop& loop, Units units)

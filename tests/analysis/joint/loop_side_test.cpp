@@ -33,8 +33,13 @@ Joint geared()
     return joint;
 }
 
-/// (θ, ω of the motor, q, v of the link, θ a tick ago): torque and reading are the motor's.
-double largest_multiplier(double torque_per_command, double drag)
+/// (θ, ω of the motor, q, v of the link, the reading a tick ago): the torque is the motor's.
+struct Loop {
+    double torque_per_command = 1, drag = 0, k_p = ::k_p, k_v = ::k_v;
+    int reads = 0;  ///< the motor, or 2: the link
+};
+
+double largest_multiplier(const Loop& loop)
 {
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(5, 5);
     const auto spring = [&](int row, double share, double inertia) {
@@ -44,16 +49,16 @@ double largest_multiplier(double torque_per_command, double drag)
     A(0, 1) = 1, A(2, 3) = 1;
     spring(1, 1 / N, J);
     spring(3, -1, link);
-    A(1, 1) -= (c_motor + drag) / J;
+    A(1, 1) -= (c_motor + loop.drag) / J;
     A(3, 3) -= c_link / link;
-    A(1, 4) = torque_per_command / J;  // the command is held
+    A(1, 4) = loop.torque_per_command / J;  // the command is held
     const Eigen::MatrixXd step = test::exponential(A * T);
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(5, 5);
     M.topLeftCorner(4, 4) = step.topLeftCorner(4, 4);
     const Eigen::VectorXd push = step.col(4).head(4);
-    M.col(0).head(4) -= push * (k_p + k_v / T);
-    M.col(4).head(4) += push * (k_v / T);
-    M(4, 0) = 1;
+    M.col(loop.reads).head(4) -= push * (loop.k_p + loop.k_v / T);
+    M.col(4).head(4) += push * (loop.k_v / T);
+    M(4, loop.reads) = 1;
     return test::spectral_radius(M);
 }
 
@@ -64,7 +69,7 @@ TEST_CASE("A loop at the motor's side of a gear has the multipliers of its motor
     Joint joint = geared();
     CHECK(reading_per_joint(joint) == N);
     const auto at_joint = linear_verdict(with_loop_at_joint(joint));
-    CHECK(std::abs(at_joint.state_variable.multipliers.front()) == Approx(largest_multiplier(1, 0)).epsilon(1e-9));
+    CHECK(std::abs(at_joint.state_variable.multipliers.front()) == Approx(largest_multiplier({})).epsilon(1e-9));
 
     // volts stay volts: the motor's constants are reflected instead
     joint.actuator.kind = ActuatorKind::dc_motor;
@@ -72,8 +77,18 @@ TEST_CASE("A loop at the motor's side of a gear has the multipliers of its motor
     joint.actuator.k_t = 0.03, joint.actuator.k_e = 0.03, joint.actuator.resistance = 0.2;
     const auto volts = linear_verdict(with_loop_at_joint(joint));
     CHECK(std::abs(volts.state_variable.multipliers.front()) ==
-          Approx(largest_multiplier(0.03 / 0.2, 0.03 * 0.03 / 0.2)).epsilon(1e-9));
+          Approx(largest_multiplier({0.03 / 0.2, 0.03 * 0.03 / 0.2})).epsilon(1e-9));
 
     joint.control.feedback = Feedback::link;
     CHECK(reading_per_joint(joint) == 1);
+}
+
+TEST_CASE("A loop that reads the link behind a gear pushes the motor all the same", "[loop]")
+{
+    Joint joint = geared();
+    joint.control.feedback = Feedback::link;
+    joint.control.k_p = 8, joint.control.k_v = 0.1;
+    const auto at_joint = linear_verdict(with_loop_at_joint(joint));
+    CHECK(std::abs(at_joint.state_variable.multipliers.front()) ==
+          Approx(largest_multiplier({.k_p = 8, .k_v = 0.1, .reads = 2})).epsilon(1e-9));
 }

@@ -220,7 +220,6 @@ GainChoice Judge::judged(double k_p, double k_v, double margin, bool thoroughly)
         }
     }
     choice.peak_effort = steady_effort_ + requirements_.noise_multiple * choice.effort_noise;
-    if (!joint.control.reference_velocity) choice.peak_effort += k_v * std::abs(velocity_);
     choice.steady_deflection = steady_sliding(joint).deflection;
     if (thoroughly || is_set(requirements_.least_velocity)) choice.least_velocity = least_velocity(joint);
     const double noise = requirements_.objective == DesignObjective::motion ? choice.motion_noise : choice.effort_noise;

@@ -19,18 +19,32 @@ bool tells_more(double candidate, double kept)
     return std::abs(candidate) < std::abs(kept);
 }
 
+double decibels(double factor)
+{
+    return std::abs(20 * std::log10(factor));
+}
+
+double least(double kept, double other)
+{
+    return kept <= other ? kept : other;
+}
+
 }  // namespace
 
 CommandMargins command_margins(bool stable, const std::vector<Crossing>& crossings,
+                               const std::vector<Interval>& stable_factors,
                                const std::function<std::complex<double>(double)>& L, double from, double to)
 {
     CommandMargins margins;
     for (const auto& c : crossings) {
         if (c.k_p < 1) margins.gain_below = std::max(margins.gain_below, c.k_p);
         if (c.k_p > 1) margins.gain_above = std::min(margins.gain_above, c.k_p);
-        const double db = std::abs(20 * std::log10(c.k_p));
-        if (!(std::abs(margins.gain_db) <= db)) margins.gain_db = stable ? db : -db;
+        if (stable) margins.gain_db = least(margins.gain_db, decibels(c.k_p));
     }
+    // a crossing next to an unstable loop may be one more pair of roots that leaves
+    for (const auto& i : stable_factors)
+        for (const double end : {i.low, i.high})
+            if (end > 0 && std::isfinite(end)) margins.gain_db = -least(-margins.gain_db, decibels(end));
     const auto excess = [&](double omega) { return std::log(std::abs(L(omega))); };
     constexpr int points = 2500;
     double low = from, at_low = excess(low), passed = not_set;

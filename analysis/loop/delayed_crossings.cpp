@@ -231,8 +231,10 @@ CommandMargins command_margins(const DelayedLoop& loop, const DelayedSpectrum& c
         const Complex s(0, omega);
         return open.prompt(s).first * open.delayed(s);
     };
-    return command_margins(closed.growth < 0, axis_crossings(loop).crossings, L, below * size,
-                           std::min(above * size, open.end()));
+    const bool stable = closed.growth < 0;
+    auto all = axis_crossings(loop);
+    const auto factors = stable ? std::vector<Interval>{} : stable_gains(loop, all, 1);
+    return command_margins(stable, all.crossings, factors, L, below * size, std::min(above * size, open.end()));
 }
 
 }  // namespace stickslip

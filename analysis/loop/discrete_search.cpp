@@ -298,8 +298,10 @@ std::vector<Interval> stable_gains(const DiscreteLoop& loop, const std::vector<C
 CommandMargins command_margins(const DiscreteLoop& loop)
 {
     const Circle circle(loop);
+    const bool stable = sampled_growth(loop, 1) < 0;
+    const auto crossings = circle_crossings(loop).crossings;
     return command_margins(
-        sampled_growth(loop, 1) < 0, circle_crossings(loop).crossings,
+        stable, crossings, stable ? std::vector<Interval>{} : stable_gains(loop, crossings, 1),
         [&](double omega) { return circle.at(omega * loop.period); }, circle.start() / loop.period, pi / loop.period);
 }
 

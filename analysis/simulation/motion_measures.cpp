@@ -41,13 +41,15 @@ double largest(Rows values)
 
 /// A stop is one of a stair where the joint moved before it and moves on after it, both in the reference's direction:
 /// at a turning point every joint stands. Speeds are those between rows over which the reference moves by more than the
-/// rounding of positions: solvers take steps of 1e-16 s where a slip begins.
-void measure_stairs(MotionMeasures& m, Rows time, Rows reference, Rows position, std::size_t stop)
+/// rounding of positions, as solvers take steps of 1e-16 s where a slip begins, and by so much that a stop is more than
+/// an error of the readings.
+void measure_stairs(MotionMeasures& m, Rows time, Rows reference, Rows position, std::size_t stop, double reading_error)
 {
     bool stopped = false, moved = false, of_a_stair = false, after_a_stair = false, forward = true;
     double stop_time = 0, stop_place = 0, last_time = 0, last_place = 0, heights = 0, durations = 0;
     int steps = 0;
-    const double least = told_apart * std::max(largest(reference), largest(position));
+    const double rounding = told_apart * std::max(largest(reference), largest(position));
+    const double least = std::max(rounding, 2 * reading_error / stop_share);
     for (std::size_t i = 1, from = 0; i <= stop; ++i) {
         if (reference[i] == reference[i - 1]) from = i;  // stands: what is made meanwhile is no stair's
         const double commanded = reference[i] - reference[from], made = std::abs(position[i] - position[from]);
@@ -75,7 +77,7 @@ void measure_stairs(MotionMeasures& m, Rows time, Rows reference, Rows position,
 
 }  // namespace
 
-MotionMeasures measure_motion(Rows time, Rows reference, Rows position)
+MotionMeasures measure_motion(Rows time, Rows reference, Rows position, double reading_error)
 {
     MotionMeasures m;
     if (time.size() < 2) return m;
@@ -83,7 +85,7 @@ MotionMeasures measure_motion(Rows time, Rows reference, Rows position)
     m.final_error = reference.back() - position.back();
     const std::size_t stop = last_move(reference);
     if (m.travel != 0 && stop + 1 < time.size()) measure_arrival(m, time, reference, position, stop);
-    measure_stairs(m, time, reference, position, stop);
+    measure_stairs(m, time, reference, position, stop, reading_error);
     return m;
 }
 

@@ -22,9 +22,10 @@ inline constexpr double settled_share = 0.02;
 inline constexpr double stop_share = 0.1, go_share = 0.5;
 
 /// Of rows of equal number; what the motion does not show is NaN: overshoot and settling need a reference that comes to
-/// rest after a travel, stairs need two stops.
+/// rest after a travel, stairs need two stops. `reading_error`: how far a position may be off, by an encoder's step or
+/// its noise; stairs are counted over moves that are large beside it.
 MotionMeasures measure_motion(std::span<const double> time, std::span<const double> reference,
-                              std::span<const double> position);
+                              std::span<const double> position, double reading_error = 0);
 
 /// Of a motion in what an encoder reads, `scale` per displacement: the lengths as displacements of the joint.
 MotionMeasures per_reading(MotionMeasures measures, double scale);

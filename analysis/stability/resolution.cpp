@@ -32,6 +32,29 @@ double instability(const Joint& joint, Theory theory)
     return !right ? missing : *right == 0 ? -1 : 1;
 }
 
+/// Where f, known at one of two places and not at the other, stops being known.
+template <class Function>
+double end_of_known(Function&& f, double known, double unknown)
+{
+    constexpr double close = 1e-10;
+    while (std::abs(unknown - known) > close * std::abs(known)) {
+        const double middle = 0.5 * (known + unknown);
+        (std::isnan(f(middle)) ? unknown : known) = middle;
+    }
+    return known;
+}
+
+/// Where the sign of f changes between a and b; what is not known is not negative.
+template <class Function>
+double change_between(Function&& f, double a, double fa, double b, double fb)
+{
+    const double end = std::isnan(fa) ? end_of_known(f, b, a) : std::isnan(fb) ? end_of_known(f, a, b) : not_set;
+    if (std::isnan(fa)) a = end, fa = f(a);
+    if (std::isnan(fb)) b = end, fb = f(b);
+    if ((fa < 0) == (fb < 0)) return end;
+    return bracketed_root(f, a, fa, b, fb, 1e-10).value;
+}
+
 /// Where f < 0 within [low, high] of one sign, by a logarithmic scan and bracketed roots.
 template <class Function>
 std::vector<Interval> negative_intervals(Function&& f, double low, double high, int scan)
@@ -42,7 +65,7 @@ std::vector<Interval> negative_intervals(Function&& f, double low, double high, 
     for (int i = 1; i <= scan; ++i) {
         const double b = i == scan ? high : low * std::pow(high / low, double(i) / scan), fb = f(b);
         if ((fa < 0) != (fb < 0)) {
-            const double change = std::isnan(fa) || std::isnan(fb) ? b : bracketed_root(f, a, fa, b, fb, 1e-10).value;
+            const double change = change_between(f, a, fa, b, fb);
             if (fb < 0)
                 found.push_back({change, high});
             else

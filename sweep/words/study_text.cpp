@@ -20,7 +20,7 @@ std::string study_text(StudyReason reason)
         case StudyReason::kernel_at_one_speed:
             return "a kernel is measured at one velocity and not valid at others";
         case StudyReason::no_single_k_v:
-            return "no single k_v is stable at every velocity of the range with this k_p";
+            return "in the velocity-only model no single k_v is stable at every velocity of the range with this k_p";
         case StudyReason::not_stable:
             return "sliding is not stable: there is no steady response to a sine";
         case StudyReason::no_boundary_above:

@@ -61,3 +61,15 @@ TEST_CASE("a velocity backwards is a parameter as one forwards is", "[program][m
     CHECK(backwards["worst_case"]["spectral_abscissa"].get<double>() ==
           Approx(forwards["worst_case"]["spectral_abscissa"].get<double>()).epsilon(1e-9));
 }
+
+TEST_CASE("the nearest boundary of several bodies is found between the axes", "[program][margins]")
+{
+    // three masses, each with a Stribeck peak: level and peak of the motor's friction act together with V_0. A search
+    // of its own, from many starts, came to 0.343; the nearest axis lies at 0.58
+    const auto run = stickslip("margins tests/sweep/found/nearest_of_many.toml --json");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const auto nearest = Json::parse(run.output)["nearest"];
+    CHECK(nearest["found"] == true);
+    CHECK(nearest["distance"].get<double>() < 0.345);
+}

@@ -22,6 +22,7 @@ namespace {
 constexpr double crossing_precision = 1e-10;
 constexpr double by_sides = 1e-4;          ///< of a distance, to which it is found by halving
 constexpr int normal_steps = 6;            ///< at most
+constexpr std::size_t followed = 5;        ///< directions whose normals are: the steepest one and the nearest axes
 constexpr double normal_precision = 1e-4;  ///< of the distance, where its gain by another step ends them
 constexpr double gradient_step = 1e-5;     ///< in units of the coordinates
 
@@ -57,6 +58,7 @@ class NearestSearch {
         Vector best;
         double least = infinity;
         Vector normal(n_, 0);
+        std::vector<std::pair<double, Vector>> leads;
         const auto consider = [&](const Vector& direction, double within = infinity) {
             const double d = first_crossing(direction, within);
             if (d < least) least = d, best = direction;
@@ -67,11 +69,24 @@ class NearestSearch {
             const bool nearer_only = !further || (!costly_ && least < options_.reach);
             const double d = consider(starts[i], nearer_only ? std::min(least, options_.reach) : infinity);
             if (i >= options_.starts.size()) add_intercept(starts[i], d, normal);
+            if (d < options_.reach) leads.emplace_back(d, starts[i]);
         }
         if (further && n_ > 1 && costly_ && norm(normal) > 0) consider(normal);
         if (further && options_.global && n_ > 1)
             consider(global_minimum(distance, cube, global_evaluations * static_cast<int>(n_)));
-        if (further && n_ > 1 && !costly_) follow_normals(best, least);
+        if (further && n_ > 1 && !costly_) {
+            // where numbers act together, as the level and the peak of one friction, the nearest point lies near no
+            // axis
+            leads.emplace_back(0, steepest(Vector(n_, 0)));
+            std::ranges::stable_sort(leads, {}, &std::pair<double, Vector>::first);
+            for (std::size_t i = 0; i < std::min(followed, leads.size()); ++i) {
+                double reached = first_crossing(leads[i].second);
+                if (!(reached < 2 * options_.reach)) continue;
+                follow_normals(leads[i].second, reached);
+                if (reached < least) least = reached, best = leads[i].second;
+            }
+            follow_normals(best, least);
+        }
         for (const double step : {0.3, 0.05})
             if (further && n_ > 1 && options_.local > 0 && (options_.global || step < 0.1))
                 consider(local_minimum(distance, cube, scaled_by(best, 0.7 / norm(best)), step,

@@ -47,6 +47,7 @@ void find_integral(Case& c)
     Ticks& t = c.ticks;
     Controller controller(c.joint);
     if (!controller.integrates() || !t.has_reference || t.source != CommandSource::logged) return;
+    t.initial_integral = 0;  // what another controller than this one would have held
     if (t.at_rest)
         controller.restart();
     else

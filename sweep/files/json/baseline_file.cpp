@@ -124,10 +124,26 @@ std::map<std::string, double> read_baseline_numbers(const std::filesystem::path&
     return numbers;
 }
 
-void write_baseline(const std::filesystem::path& file, const std::string& title,
-                    const std::vector<WatchedBoundary>& watched, const std::map<std::string, double>& numbers)
+std::optional<bool> read_baseline_design(const std::filesystem::path& file)
 {
-    Json json = {{"format", format_name}, {"title", title}, {"numbers", numbers}, {"boundaries", Json::array()}};
+    std::ifstream in(file, std::ios::binary);
+    const Json json = Json::parse(in, nullptr, false);
+    if (!json.is_object() || !json.contains("design_stable") || json["design_stable"].is_null()) return {};
+    if (!json["design_stable"].is_boolean())
+        throw BadInput(fmt::format("{}: design_stable: is {}, expected true, false or null", file.string(),
+                                   json["design_stable"].dump()));
+    return json["design_stable"].get<bool>();
+}
+
+void write_baseline(const std::filesystem::path& file, const std::string& title,
+                    const std::vector<WatchedBoundary>& watched, const std::map<std::string, double>& numbers,
+                    std::optional<bool> design_stable)
+{
+    Json json = {{"format", format_name},
+                 {"title", title},
+                 {"numbers", numbers},
+                 {"design_stable", design_stable ? Json(*design_stable) : Json(nullptr)},
+                 {"boundaries", Json::array()}};
     for (const auto& w : watched) json["boundaries"].push_back(json_of(w));
     write_whole(file, json.dump(1) + "\n");
 }
@@ -161,10 +177,12 @@ std::string describe(const Deviation& d)
     return fmt::format("within: {:.1e} of {:.1e} allowed, {:.9g} {}", d.relative, s.tolerance, s.point.value, s.unit);
 }
 
-void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations)
+void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations,
+                 bool design_lost)
 {
-    std::size_t failed = 0;
-    std::string cases;
+    std::size_t failed = design_lost;
+    std::string cases = fmt::format("  <testcase classname=\"{}\" name=\"the design itself\"{}\n", escaped_xml(title),
+                                    design_lost ? "><failure message=\"was stable, is not\"/></testcase>" : "/>");
     for (const auto& d : deviations) {
         const bool appeared = d.kind == Deviation::Kind::appeared, within = d.passes();
         failed += !within;
@@ -174,7 +192,7 @@ void write_junit(const std::filesystem::path& file, const std::string& title, co
     }
     write_whole(file, fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
                                   "failures=\"{}\">\n{}</testsuite>\n",
-                                  escaped_xml(title), deviations.size(), failed, cases));
+                                  escaped_xml(title), deviations.size() + 1, failed, cases));
 }
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,18 @@ std::vector<WatchedBoundary> read_baseline(const std::filesystem::path& file);
 /// The joint's numbers that a baseline was made with; empty of one that was written before it stored them.
 std::map<std::string, double> read_baseline_numbers(const std::filesystem::path& file);
 
+/// Whether the design itself was stable; nothing where it had no verdict, or in a baseline without it.
+std::optional<bool> read_baseline_design(const std::filesystem::path& file);
+
 /// Writes a baseline beside the old one, then replaces it. Throws
 /// std::filesystem::filesystem_error if the place cannot be written.
 void write_baseline(const std::filesystem::path& file, const std::string& title,
-                    const std::vector<WatchedBoundary>& watched, const std::map<std::string, double>& numbers);
+                    const std::vector<WatchedBoundary>& watched, const std::map<std::string, double>& numbers,
+                    std::optional<bool> design_stable);
 
-/// One JUnit test case a boundary.
-void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations);
+/// One JUnit test case a boundary, and one for the design, which fails where it was stable and is not.
+void write_junit(const std::filesystem::path& file, const std::string& title, const std::vector<Deviation>& deviations,
+                 bool design_lost);
 
 /// Text as XML holds it between tags and in attributes.
 std::string escaped_xml(const std::string& text);

@@ -16,7 +16,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
+#include <optional>
 
 namespace stickslip {
 namespace {
@@ -32,6 +34,14 @@ struct Options {
     bool update = false, json = false, ideal_loop = false;
 };
 
+/// Nothing where the linear theory has no verdict.
+std::optional<bool> is_design_stable(const Spec& spec)
+{
+    const auto verdict = linear_verdict(design_joint(spec));
+    if (verdict.steady.reason != Reason::none || std::isnan(verdict.state_variable.spectral_abscissa)) return {};
+    return verdict.state_variable.stable;
+}
+
 int check(const Options& options, const Invocation& invocation)
 {
     Spec spec = read_spec(options.spec);
@@ -40,7 +50,7 @@ int check(const Options& options, const Invocation& invocation)
     const auto now = watched_boundaries(spec, parallel_for_each);
     if (now.empty()) throw BadInput(options.spec + ": no boundary lies within the axes: there is nothing to compare");
     if (options.update) {
-        write_baseline(options.baseline, spec.title, now, numbers_of(spec));
+        write_baseline(options.baseline, spec.title, now, numbers_of(spec), is_design_stable(spec));
         fmt::print("{}: {} boundaries written\n", options.baseline, now.size());
         return exit_done;
     }
@@ -56,20 +66,22 @@ int check(const Options& options, const Invocation& invocation)
         const auto& shown = d.kind == Deviation::Kind::appeared ? d.now : d.stored;
         fmt::print("{} {:<80} {}\n", within ? "ok  " : "FAIL", shown.name(), describe(d));
     }
+    const bool design_lost = read_baseline_design(options.baseline) == true && is_design_stable(spec) == false;
+    if (design_lost) fmt::print("FAIL the design itself: was stable, is not\n");
     for (const auto& c : changed) fmt::print("changed since the baseline: {}\n", changed_text(spec, c));
-    if (!options.junit.empty()) write_junit(options.junit, spec.title, deviations);
+    if (!options.junit.empty()) write_junit(options.junit, spec.title, deviations, design_lost);
     fmt::print("{} boundaries, {} out of tolerance, {} refined\n", deviations.size(), failed, refined);
     const auto loop = verdict_loop(design_joint(spec));
     if (const auto text = loop_text(loop); !text.empty()) fmt::print("{}\n", text.substr(1));
     if (!options.directory.empty()) {
-        auto report = check_report(spec, deviations, changed, loop, invocation.command);
+        auto report = check_report(spec, deviations, changed, loop, design_lost, invocation.command);
         if (left_out) tell_left_out(*left_out, left_out->growth < 0, report);
         fmt::print("report: {}\n", write_report(report, options.directory).string());
     }
-    if (failed)
+    if (failed || design_lost)
         fmt::print("If the change is wanted: stickslip check {} {} --update\n", shell_word(options.spec),
                    shell_word(options.baseline));
-    return failed ? exit_not_met : exit_done;
+    return failed || design_lost ? exit_not_met : exit_done;
 }
 
 int check_files(Options options, const Invocation& invocation)
@@ -124,7 +136,8 @@ void add_check(CommandLine& line, Invocation& invocation)
         "Watched: both linear boundaries, V_min where control.V0 is an axis, folds where [nonlinear] is enabled, "
         "outcomes where its disturbance has a size. With records: the gap and what its cause leaves, the causes, and "
         "their numbers.\n"
-        "Exit codes: 0 all within tolerance or refined, 1 a boundary moved, vanished, appeared, changed its stable "
+        "Exit codes: 0 all within tolerance or refined, 1 the design was stable and is not, a boundary moved, "
+        "vanished, appeared, changed its stable "
         "side or is located more coarsely, or the gap is new, has grown, has another cause or another size of it; 2 "
         "bad "
         "input, 3 interrupted, 4 insufficient records.");

@@ -134,7 +134,10 @@ int record_joint(const Options& options, const Invocation& invocation)
     if (record.time.empty()) throw BadInput(options.joint + ": cannot follow a reference: " + detail_text(record.why));
     fmt::print("record:     {}\n", write_record(record, options.directory).string());
     if (const auto side = gear_side(joint); side.between()) fmt::print("{}\n", plain_text(side_text(side, true)));
-    const auto read = measure_motion(record.time, record.reference_position, record.position);
+    constexpr double spread = 4;  // standard deviations of the noise that a reading may be off
+    const double noise = options.surroundings.force.seed > 0 ? spread * joint.sensor.position_noise : 0;
+    const double reading_error = 0.5 * joint.sensor.encoder_quantum + noise;
+    const auto read = measure_motion(record.time, record.reference_position, record.position, reading_error);
     tell_measures(per_reading(read, joint.sensor.position_scale), units_of(joint), options.directory);
     const auto unstable = unstable_loop(joint, record);
     const auto loop = unstable ? unstable_loop_text(*unstable, units_of(joint)) : std::string();

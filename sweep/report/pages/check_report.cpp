@@ -176,7 +176,8 @@ std::string changed_text(const Spec& spec, const ChangedNumber& c)
 }
 
 Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
-                    const std::vector<ChangedNumber>& changed, const LoopUse& loop, const std::string& command)
+                    const std::vector<ChangedNumber>& changed, const LoopUse& loop, bool design_lost,
+                    const std::string& command)
 {
     std::size_t failed = 0, refined = 0;
     for (const auto& d : deviations) {
@@ -190,7 +191,8 @@ Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
                             : "All " + std::to_string(deviations.size()) + " boundaries are unchanged.";
     if (refined) report.verdict += " " + std::to_string(refined) + " are located more finely than before.";
     report.verdict += loop_text(loop);
-    report.tone = without_what_matters(failed ? Tone::bad : Tone::good, loop);
+    if (design_lost) report.verdict = "The design itself was stable and is not. " + report.verdict;
+    report.tone = without_what_matters(failed || design_lost ? Tone::bad : Tone::good, loop);
     report.headlines = headlines_of(spec, deviations, failed, refined);
     for (const auto& c : changed)
         report.findings.push_back("Changed since the baseline: " + changed_text(spec, c) + ".");

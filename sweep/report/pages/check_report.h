@@ -10,7 +10,8 @@
 namespace stickslip {
 
 Report check_report(const Spec& spec, const std::vector<Deviation>& deviations,
-                    const std::vector<ChangedNumber>& changed, const LoopUse& loop, const std::string& command);
+                    const std::vector<ChangedNumber>& changed, const LoopUse& loop, bool design_lost,
+                    const std::string& command);
 
 /// "friction.memory.L 10 µm → 11 µm"
 std::string changed_text(const Spec& spec, const ChangedNumber& changed);

@@ -1,4 +1,5 @@
 // Controllers with an integral in logs that do not say all of it: cut out of a longer one, or without the reference.
+#include "analysis/diagnosis/audit/prepare.h"
 #include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
@@ -71,4 +72,17 @@ TEST_CASE("without its reference a loop with an integral is judged under its com
     const auto d = diagnosis_of(without_reference(other));
     REQUIRE(d.verdict == Verdict::gap);
     CHECK(d.effects.at(0).names == std::vector<std::string>{"viscous"});
+}
+
+TEST_CASE("what an integral held at the start is that of the controller as it was found", "[gap][start]")
+{
+    // the feed-forward that the document has and the machine has not looked like an integral of the opposite effort
+    Joint joint = documented();
+    joint.control.feed_forward.coulomb = 1;
+    std::vector<Note> notes;
+    std::vector<Case> cases{prepare(test::record_of(integrating(), 1), joint, notes)};
+    cases[0].ticks.initial_integral = 1e-3;
+    cases[0].joint.control.feed_forward.coulomb = 0;
+    find_integrals(cases);
+    CHECK(cases[0].ticks.initial_integral == 0);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "analysis/base/field.h"
@@ -109,4 +110,25 @@ TEST_CASE("stairs of relaxation cycles are those that its verdict tells, and tim
     const auto m = measure_motion(rows(path.time), rows(reference), rows(position));
     CHECK(m.stair_rate == Approx(1 / verdict.period).epsilon(1e-2));
     CHECK(m.stair_height == Approx(1e-3 * verdict.period).epsilon(1e-2));
+}
+
+TEST_CASE("what an encoder reads of a smooth motion has no stairs", "[simulation][measures]")
+{
+    constexpr double step = 1e-4, noise = 2e-5;
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    std::vector<double> time, reference, smooth, stepping;
+    for (int k = 0; k < 20000; ++k) {
+        const double t = 1e-3 * k, stair = 0.02;
+        time.push_back(t), reference.push_back(5e-3 * t);
+        const auto read = [&](double q) { return step * std::round((q + noise * normal(random)) / step); };
+        smooth.push_back(read(reference.back()));
+        stepping.push_back(read(stair * std::floor(reference.back() / stair)));
+    }
+    const double error = 0.5 * step + 4 * noise;
+    CHECK(measure_motion(time, reference, smooth).stairs > 0);  // of the encoder
+    CHECK(measure_motion(time, reference, smooth, error).stairs == 0);
+    const auto m = measure_motion(time, reference, stepping, error);
+    CHECK(m.stairs >= 3);
+    CHECK(m.stair_height == Approx(0.02).epsilon(0.01));
 }

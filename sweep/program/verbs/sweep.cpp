@@ -31,6 +31,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <memory>
 
 namespace stickslip {
@@ -82,7 +83,7 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
 
 /// What came of it, on standard output; `page` is empty where no report was requested.
 void tell(const Options& options, const SweepSummary& summary, const Json& loop, const Json& idle, double bound,
-          const RunReport& run, const std::string& answer, const std::filesystem::path& page)
+          const RunReport& run, const std::string& answer, const std::filesystem::path& page, double seconds)
 {
     if (options.json) {
         nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
@@ -99,8 +100,8 @@ void tell(const Options& options, const SweepSummary& summary, const Json& loop,
         fmt::print("{}\n", json.dump(2));
     } else {
         fmt::print("{}", answer);
-        fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
-                   run.computed.points, run.computed.seconds, summary.undecided);
+        fmt::print("{}, {} of them computed now, {} undecided; {:.2f} s in all\n", counted(summary.points, "point"),
+                   run.computed.points, summary.undecided, seconds);
         if (summary.interpolated > 0)
             fmt::print("  {} interpolated to within {:.3g} % (nonlinear.interpolation; --every-point computes all)\n",
                        counted(summary.interpolated, "point"), 100 * bound);
@@ -116,6 +117,7 @@ void tell(const Options& options, const SweepSummary& summary, const Json& loop,
 
 int sweep(const Options& options, Invocation& invocation)
 {
+    const auto start = std::chrono::steady_clock::now();
     const auto date = timestamp(options.timestamp);
     Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     if (options.every_point) spec.nonlinear.interpolation = 0;
@@ -169,8 +171,9 @@ int sweep(const Options& options, Invocation& invocation)
         answer = terminal_summary(report);
         page = write_sweep_report(report, spec, options.directory);
     }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     tell(options, summary, loop_json(verdict.loop, left_out), idle_json(idle), spec.nonlinear.interpolation, run,
-         answer, page);
+         answer, page, wall.count());
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 

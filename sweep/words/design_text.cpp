@@ -152,6 +152,16 @@ std::string design_text(const DesignAnswer& a)
     return text;
 }
 
+Table front_table(const DesignAnswer& a)
+{
+    const DesignUnits u{units_of(a.joint)};
+    Table table{"Pareto front", {"margin", "k_{p}", "k_{v}", "motion noise, rms", "effort noise, rms"}, {}};
+    for (const auto& c : a.design.front)
+        table.rows.push_back({plain_number(c.margin), u.stiffness(c.k_p), u.damping(c.k_v), u.position(c.motion_noise),
+                              u.effort(c.effort_noise)});
+    return table;
+}
+
 std::vector<Table> design_tables(const DesignAnswer& a)
 {
     const DesignUnits u{units_of(a.joint)};

@@ -46,6 +46,9 @@ std::string design_verdict_text(const DesignAnswer& answer);
 /// The same, followed by the ends of the searched range on which the optimum lies: the page has alerts for those.
 std::string design_text(const DesignAnswer& answer);
 
+/// The Pareto front, least margin first.
+Table front_table(const DesignAnswer& answer);
+
 /// The choices side by side, and how each requirement fared.
 std::vector<Table> design_tables(const DesignAnswer& answer);
 

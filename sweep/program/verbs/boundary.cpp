@@ -183,8 +183,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     if (!options.json) {
         if (!answer.outcome_means.empty())
             fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
-        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-        fmt::print("{} points, {} evaluations, {:.2f} s\n", tally.points, tally.evaluations, wall.count());
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        fmt::print("{}, {} evaluations, {:.2f} s\n", counted(tally.points, "point"), tally.evaluations, seconds);
     }
     const bool bare = answer.charts.empty() && !answer.curves.empty();
     if (answered < questions.size() || bare) return exit_interrupted;

@@ -134,13 +134,7 @@ int design(const Options& options, const Invocation& invocation)
     } else {
         print_sentence(design_text(answer));
         for (const auto& table : design_tables(answer)) print_table(table);
-        if (!answer.design.front.empty()) {
-            fmt::print("\nPareto front\n  {:>8} {:>14} {:>14} {:>14} {:>14}\n", "margin", "k_p", "k_v", "motion rms",
-                       "effort rms");
-            for (const auto& c : answer.design.front)
-                fmt::print("  {:>8.3g} {:>14.5g} {:>14.5g} {:>14.4g} {:>14.4g}\n", c.margin, c.k_p, c.k_v,
-                           c.motion_noise, c.effort_noise);
-        }
+        if (!answer.design.front.empty()) print_table(front_table(answer));
     }
     if (!options.directory.empty()) write_files(answer, described, json, options);
     return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_not_met;

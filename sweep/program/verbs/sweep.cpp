@@ -33,6 +33,7 @@
 
 #include <chrono>
 #include <memory>
+#include <tuple>
 
 namespace stickslip {
 namespace {
@@ -115,6 +116,20 @@ void tell(const Options& options, const SweepSummary& summary, const Json& loop,
     }
 }
 
+/// What the terminal says of the page, and where it is.
+std::pair<std::string, std::filesystem::path> draw_page(const Spec& spec, const SweepSummary& summary,
+                                                        const std::string& text,
+                                                        const std::optional<LeftOutLoop>& left_out,
+                                                        const std::string& directory)
+{
+    auto stored = answer_sweep(spec, summary);
+    stored.spec = text;
+    stored.left_out = left_out;
+    write_sweep_answer(stored, directory);
+    const auto report = stability_report(spec, summary, stored);
+    return {terminal_summary(report), write_sweep_report(report, spec, directory)};
+}
+
 int sweep(const Options& options, Invocation& invocation)
 {
     const auto start = std::chrono::steady_clock::now();
@@ -163,13 +178,9 @@ int sweep(const Options& options, Invocation& invocation)
     std::string answer = plain_text(verdict_text(design, verdict)) + "\n";
     if (left_out) answer = of_ideal_loop(answer);
     if (!options.no_report) {
-        auto stored = answer_sweep(spec, summary);
-        stored.spec = plan_options.spec;
-        stored.left_out = left_out;
-        write_sweep_answer(stored, options.directory);
-        const auto report = stability_report(spec, summary, stored);
-        answer = terminal_summary(report);
-        page = write_sweep_report(report, spec, options.directory);
+        line.say_next("computing the answers for the design, drawing the page");
+        std::tie(answer, page) = draw_page(spec, summary, plan_options.spec, left_out, options.directory);
+        line.end();
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     tell(options, summary, loop_json(verdict.loop, left_out), idle_json(idle), spec.nonlinear.interpolation, run,

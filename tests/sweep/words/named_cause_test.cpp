@@ -1,6 +1,6 @@
 // A cause that is named alone, while a candidate with another one besides predicts better.
-#include "sweep/words/diagnosis_first_screen.h"
 #include "sweep/words/named_cause.h"
+#include "sweep/words/diagnosis_first_screen.h"
 
 #include <catch2/catch.hpp>
 

@@ -51,4 +51,8 @@ struct GainRange {
 /// The range of the requirements. Unset: k_p within three decades of the joint's own, k_v up to 30 times its damping.
 GainRange gain_range(const Joint& joint, const Requirements& requirements);
 
+/// The end of the search for the least stable velocity below the joint's own: a choice that reads so may be stable
+/// below.
+double lowest_velocity_searched(const Requirements& requirements, double velocity);
+
 }  // namespace stickslip

@@ -162,11 +162,16 @@ GainChoice Judge::thorough(double k_p, double k_v)
     return judged(k_p, k_v, signed_margin(nearest(k_p, k_v, options)), true);
 }
 
+double lowest_velocity_searched(const Requirements& requirements, double velocity)
+{
+    return is_set(requirements.least_velocity) ? 0.1 * requirements.least_velocity
+                                               : velocity * std::pow(10, -velocity_decades);
+}
+
 double Judge::least_velocity(Joint joint) const
 {
     joint.control.force_rate = not_set;
-    const double lowest = is_set(requirements_.least_velocity) ? 0.1 * requirements_.least_velocity
-                                                               : velocity_ * std::pow(10, -velocity_decades);
+    const double lowest = lowest_velocity_searched(requirements_, velocity_);
     const auto measure = [&](double V) {
         joint.control.V0 = V;
         return instability(joint, theory_);

@@ -9,6 +9,7 @@
 #include "render/page/line_data.h"
 #include "render/page/pack_arrays.h"
 #include "render/pictures/regions.h"
+#include "render/pictures/surface_rim.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,9 +145,12 @@ std::string data(const CriticalGainSurface& surface, const RenderedFigure& rende
 {
     RenderedFigure seen_from_aside = rendered;
     seen_from_aside.plot = {};  // no place of the picture is a place of the grid
+    const auto rim = unresolved_rim(surface);
+    const std::vector<double> undrawn(rim.begin(), rim.end());
     return grid_data({surface.x, surface.y, surface.units, csv_header(surface), nullptr}, seen_from_aside)
         .flag("surface", true)
         .raw("readings", json_array({reading(surface.z_name, surface.z_quantity, surface.units, surface.z)}))
+        .numbers("undrawn", undrawn)
         .close();
 }
 

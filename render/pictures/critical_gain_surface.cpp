@@ -4,6 +4,7 @@
 #include "render/drawing/markup.h"
 #include "render/pictures/picture.h"
 #include "render/pictures/scene.h"
+#include "render/pictures/surface_rim.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace {
 constexpr int picture_width = 900, fineness = 2;
 constexpr double view_left = 84, view_width = 610, room_below = 62, bar_height = 380;
 constexpr int x_room = 5, y_room = 5, z_room = 6;  // labels that an edge has room for
-constexpr double log_from_ratio = 20;              // heights that span more than this are read on a log scale
 
 constexpr TextStyle tick_style{13}, name_style{14.5};
 
@@ -32,7 +32,7 @@ void check(const CriticalGainSurface& surface)
 Scale height_scale(const std::vector<double>& z)
 {
     Scale tight = spanning(z, false);
-    tight.log = tight.low > 0 && tight.high / tight.low > log_from_ratio;
+    tight.log = needs_log_scale(z);
     if (tight.log)
         return {std::pow(10, std::floor(std::log10(tight.low) + 1e-9)),
                 std::pow(10, std::ceil(std::log10(tight.high) - 1e-9)), true};
@@ -112,6 +112,15 @@ void draw_walls(Canvas& canvas, const Scene& scene, const Edge& x, const Edge& y
     canvas.stretches(ends, {theme::rule, 1});
 }
 
+std::string where_missing(std::size_t holes, std::size_t rim)
+{
+    if (holes == 0) return "";
+    const std::string none = "Where the surface is missing, no critical gain exists";
+    if (rim == 0) return none + ".";
+    return none + ", or it falls to zero more steeply than the grid resolves (" + std::to_string(rim) +
+           (rim == 1 ? " point)." : " points).");
+}
+
 Raster bar_colours()
 {
     Raster bar{1, 256, 3, {}};
@@ -144,17 +153,18 @@ Drawn draw(const CriticalGainSurface& surface, const std::string& description, c
         return ChartAxis{scale, axis_label(a.name, a.symbol, a.quantity, surface.units, scale)};
     };
     const ChartAxis x = axis(surface.x), y = axis(surface.y);
-    const Scale z_scale = height_scale(surface.z);
+    const auto drawn = drawn_heights(surface);
+    const Scale z_scale = height_scale(drawn);
     const ChartAxis z{z_scale,
                       axis_label(surface.z_name, surface.z_symbol, surface.z_quantity, surface.units, z_scale)};
 
     Canvas canvas(picture_width, fonts);
     const double top = draw_heading(canvas, 40, picture_width - 80, surface.title, surface.fixed,
-                                    holes ? "Where the surface is missing, no critical gain exists." : "");
+                                    where_missing(static_cast<std::size_t>(holes), unresolved_rim(surface).size()));
     HeightField field;
     for (const double v : surface.x.values) field.columns.push_back(x.scale.at(v));
     for (const double v : surface.y.values) field.rows.push_back(y.scale.at(v));
-    for (const double v : surface.z) field.heights.push_back(std::isfinite(v) ? z.scale.at(v) : NAN);
+    for (const double v : drawn) field.heights.push_back(std::isfinite(v) ? z.scale.at(v) : NAN);
     const Ticks heights = ticks(z.scale, 8);
     for (const Tick& tick : heights.major) field.levels.push_back(z.scale.at(tick.value));
     for (const Tick& tick : ticks(x.scale, x_room).major) field.columns_marked.push_back(x.scale.at(tick.value));

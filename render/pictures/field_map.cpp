@@ -132,17 +132,50 @@ LegendEntry class_entry(Canvas& canvas, Colour colour, Region texture, const std
             text};
 }
 
-std::vector<LegendEntry> legend(Canvas& canvas, const FieldMap& map)
+/// The pieces of a line that is a sign many times, such as the marks of measured rows.
+bool are_signs(const std::vector<Polyline>& pieces)
+{
+    constexpr double largest = 20;
+    return !pieces.empty() && std::ranges::all_of(pieces, [](const Polyline& piece) {
+        return std::ranges::all_of(piece,
+                                   [&](Point p) { return std::hypot(p.x - piece[0].x, p.y - piece[0].y) < largest; });
+    });
+}
+
+Point middle_of(const Polyline& piece)
+{
+    const auto [left, right] = std::ranges::minmax(piece, {}, &Point::x);
+    const auto [low, high] = std::ranges::minmax(piece, {}, &Point::y);
+    return {(left.x + right.x) / 2, (low.y + high.y) / 2};
+}
+
+/// A line as the legend shows it: a stroke of it, or the first of its signs.
+std::vector<Polyline> sample_of(const std::vector<Polyline>& pieces, const Rectangle& box)
+{
+    const Point here{box.left + box.width / 2, box.top + box.height / 2};
+    if (!are_signs(pieces)) return {{{box.left, here.y}, {box.right(), here.y}}};
+    const Point first = middle_of(pieces[0]);
+    std::vector<Polyline> sign;
+    for (Polyline piece : pieces) {
+        const Point middle = middle_of(piece);
+        if (std::hypot(middle.x - first.x, middle.y - first.y) > 1) continue;
+        for (Point& p : piece) p.x += here.x - first.x, p.y += here.y - first.y;
+        sign.push_back(std::move(piece));
+    }
+    return sign;
+}
+
+/// `pieces`: what is drawn of each line.
+std::vector<LegendEntry> legend(Canvas& canvas, const FieldMap& map, const std::vector<std::vector<Polyline>>& pieces)
 {
     std::vector<LegendEntry> entries;
     for (std::size_t i = 0; i < map.lines.size(); ++i)
-        entries.push_back(
-            {[&canvas, pen = pen_of(map, i)](const Rectangle& box) {
-                 const Polyline line{{box.left, box.top + box.height / 2}, {box.right(), box.top + box.height / 2}};
-                 canvas.line(line, halo_of(pen));
-                 canvas.line(line, pen);
-             },
-             name_of(map.lines[i])});
+        entries.push_back({[&canvas, pen = pen_of(map, i), own = pieces[i]](const Rectangle& box) {
+                               const auto sample = sample_of(own, box);
+                               for (const auto& stroke : sample) canvas.line(stroke, halo_of(pen));
+                               for (const auto& stroke : sample) canvas.line(stroke, pen);
+                           },
+                           name_of(map.lines[i])});
     for (std::size_t i = 0; i < map.classes.size(); ++i)
         if (std::find(map.values.begin(), map.values.end(), static_cast<double>(i)) != map.values.end())
             entries.push_back(class_entry(canvas, from_hex(class_colours[i]), class_textures[i], map.classes[i]));
@@ -196,8 +229,10 @@ Drawn draw(const FieldMap& map, const std::string& description, const Fonts& fon
     for (std::size_t k = 0; k < owners.size(); ++k) canvas.line(obstacles.lines[k], pen_of(map, owners[k]));
     if (map.has_design) draw_design(canvas, frame, map.design, obstacles);
     draw_axes(canvas, frame);
-    const double bottom = draw_legend(canvas, legend(canvas, map), frame.box.left, frame.box.bottom() + axis_depth + 16,
-                                      picture_width - frame.box.left - 16);
+    std::vector<std::vector<Polyline>> pieces(map.lines.size());
+    for (std::size_t k = 0; k < owners.size(); ++k) pieces[owners[k]].push_back(obstacles.lines[k]);
+    const double bottom = draw_legend(canvas, legend(canvas, map, pieces), frame.box.left,
+                                      frame.box.bottom() + axis_depth + 16, picture_width - frame.box.left - 16);
     const int height = static_cast<int>(std::ceil(bottom)) + 6;
     return {canvas.svg(height, plain_text(map.title), description), "", picture_width, height, frame.box};
 }

@@ -6,6 +6,7 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/program/process.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
+#include "sweep/program/verbs/folded_text.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/usage.h"
 #include "sweep/program/verbs/verbs.h"
@@ -16,7 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -39,7 +40,6 @@ std::string quoted(const std::string& argument)
 /// Whether the answer reached its reader: a full disk shows only when the buffer is emptied.
 bool answer_written()
 {
-    std::cout.flush();  // help is written by way of it
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (!written) {
         const int why = errno;
@@ -99,7 +99,9 @@ int exit_after_failure(const CLI::App& app, const std::vector<std::string>& word
         // help or version, on standard output; what follows a verb that there is not asks for nothing
         const bool of_no_verb = !words.empty() && words[0][0] != '-' && app.get_subcommands().empty();
         if (e.get_exit_code() == 0 && !of_no_verb) {
-            const int code = app.exit(e);
+            std::ostringstream help;
+            const int code = app.exit(e, help, help);
+            fmt::print("{}", folded_help(help.str(), terminal_columns()));
             return answer_written() ? code : exit_interrupted;
         }
         say("{}", usage_error(app, e, words));

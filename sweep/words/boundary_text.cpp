@@ -101,7 +101,8 @@ std::string direction_text(int direction, BoundaryKind kind)
 std::string could_be_missed(const LocatedRay& ray)
 {
     std::string text = fmt::format("two boundaries of one kind within 1/{} of the range", ray.nodes - 1);
-    if (ray.climbed > 0) text += fmt::format(" ({} near touches were searched)", ray.climbed);
+    if (ray.climbed > 0)
+        text += fmt::format(" ({} near {} searched)", ray.climbed, ray.climbed == 1 ? "touch was" : "touches were");
     if (ray.kind == BoundaryKind::fold && ray.narrowest_strip > 0)
         text += fmt::format(
             "; a strip of cycles beside a linear boundary, narrower than 1/{:.0f} of the range; cycles that no start "

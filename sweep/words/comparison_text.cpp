@@ -24,6 +24,14 @@ std::string number_text(const std::optional<FittedParameter>& number)
     return number ? with_error(number->value, number->standard_error, number->unit) : "–";
 }
 
+/// "viscous friction, change"
+std::string words_of(const NumberChange& c)
+{
+    auto words = parameter_words(c.name);
+    if (const auto colon = words.find(": "); colon != std::string::npos) words.replace(colon, 1, ",");
+    return words;
+}
+
 /// Of the difference of two values that were found apart.
 double change_error(const NumberChange& c)
 {
@@ -81,7 +89,7 @@ std::string moved_words(const DiagnosisComparison& c)
     if (!text.empty() || !any) return text;
     for (const auto& change : c.numbers)
         if (change.moved(standard_errors_of_a_move)) return " " + change_text(change) + ".";
-    return " No parameter changed by more than 3 standard errors.";
+    return " No parameter that both name changed by more than 3 standard errors.";
 }
 
 }  // namespace
@@ -110,9 +118,9 @@ std::string outcome_words(const DiagnosisFacts& facts)
 
 std::string change_text(const NumberChange& c)
 {
-    if (!c.in_both()) return c.name + ": " + number_text(c.before) + " → " + number_text(c.after);
+    if (!c.in_both()) return words_of(c) + ": " + number_text(c.before) + " → " + number_text(c.after);
     return fmt::format(
-        "{}: {} → {}, {} standard errors", c.name, with_error(c.before->value, c.before->standard_error, c.unit),
+        "{}: {} → {}, {} standard errors", words_of(c), with_error(c.before->value, c.before->standard_error, c.unit),
         with_error(c.after->value, c.after->standard_error, c.unit), plain_number(std::abs(c.standard_errors), 3));
 }
 
@@ -159,7 +167,7 @@ Table changes_table(const DiagnosisComparison& c)
         const char* of = change.of == FoundNumber::Of::sheet       ? "joint"
                          : change.of == FoundNumber::Of::parameter ? "cause"
                                                                    : "refitted";
-        t.rows.push_back({change.name, of, number_text(change.before), number_text(change.after),
+        t.rows.push_back({parameter_words(change.name), of, number_text(change.before), number_text(change.after),
                           change.in_both() ? with_error(change.change, change_error(change), change.unit) : "–",
                           change.in_both() ? plain_number(change.standard_errors, 3) : "named in one only"});
     }
@@ -174,7 +182,7 @@ Table compared_gap_table(const DiagnosisComparison& c)
     for (const auto& is : c.after.gap)
         for (const auto& was : c.before.gap)
             if (is.signal == was.signal && is.unit == was.unit)
-                t.rows.push_back({is.signal, plain_number(was.before, 3), plain_number(is.before, 3),
+                t.rows.push_back({signal_words(is.signal), plain_number(was.before, 3), plain_number(is.before, 3),
                                   plain_number(was.floor, 3), plain_number(is.floor, 3), is.unit});
     t.rows.push_back({"all signals", plain_number(c.before.overall.before, 3), plain_number(c.after.overall.before, 3),
                       "1", "1", "× noise floor"});

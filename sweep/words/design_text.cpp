@@ -25,6 +25,14 @@ std::string margin_text(double margin, const GainDesign& d)
     return (margin >= d.margin_reach ? "> " : "") + plain_number(margin, 3);
 }
 
+std::string least_velocity_text(const GainChoice& c, const Requirements& requirements, double velocity, Units units)
+{
+    if (!std::isfinite(c.least_velocity)) return "–";
+    constexpr double end = 1 + 1e-9;
+    const bool at_end = c.least_velocity <= end * lowest_velocity_searched(requirements, std::abs(velocity));
+    return (at_end ? "≤ " : "") + with_unit(c.least_velocity, Quantity::velocity, units);
+}
+
 std::string requirement_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
 {
     if (d.name == "effort_limit") return u.effort(value);
@@ -90,7 +98,7 @@ std::string cost_of_simple_thinking(const DesignAnswer& a, const DesignUnits& u)
                                             : ": " + times + " times the " + noise + " noise.");
 }
 
-std::vector<std::string> row_of(const char* name, const GainChoice& c, const GainDesign& d, const DesignUnits& u)
+std::vector<std::string> row_of(const char* name, const GainChoice& c, const DesignAnswer& a, const DesignUnits& u)
 {
     return {name,
             u.stiffness(c.k_p),
@@ -99,8 +107,8 @@ std::vector<std::string> row_of(const char* name, const GainChoice& c, const Gai
             u.effort(c.effort_noise),
             u.effort(c.peak_effort),
             u.position(c.steady_deflection),
-            margin_text(c.margin, d),
-            c.margin < 0 ? "–" : u.velocity(c.least_velocity)};
+            margin_text(c.margin, a.design),
+            c.margin < 0 ? "–" : least_velocity_text(c, a.requirements, sliding_velocity(a.joint), u.units)};
 }
 
 }  // namespace
@@ -144,6 +152,16 @@ std::string design_text(const DesignAnswer& a)
     return text;
 }
 
+Table front_table(const DesignAnswer& a)
+{
+    const DesignUnits u{units_of(a.joint)};
+    Table table{"Pareto front", {"margin", "k_{p}", "k_{v}", "motion noise, rms", "effort noise, rms"}, {}};
+    for (const auto& c : a.design.front)
+        table.rows.push_back({plain_number(c.margin), u.stiffness(c.k_p), u.damping(c.k_v), u.position(c.motion_noise),
+                              u.effort(c.effort_noise)});
+    return table;
+}
+
 std::vector<Table> design_tables(const DesignAnswer& a)
 {
     const DesignUnits u{units_of(a.joint)};
@@ -160,8 +178,8 @@ std::vector<Table> design_tables(const DesignAnswer& a)
                        "steady deflection",
                        "margin",
                        "stable down to"};
-    choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, d, u),
-                    row_of("velocity-only model", d.velocity_only, d, u), row_of("as in the joint", d.as_joint, d, u)};
+    choices.rows = {row_of(d.feasible ? "best" : "nearest to feasible", d.best, a, u),
+                    row_of("velocity-only model", d.velocity_only, a, u), row_of("as in the joint", d.as_joint, a, u)};
     Table requirements;
     requirements.title = "Requirements";
     requirements.columns = {"requirement", "specified", "achieved", "attainable, others kept", "outcome"};

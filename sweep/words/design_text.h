@@ -31,6 +31,9 @@ std::string requirement_name(const std::string& name);
 /// A margin as large as was looked for is at least that large.
 std::string margin_text(double margin, const GainDesign& d);
 
+/// The least stable velocity of a choice; "≤" where the search ended before an unstable one.
+std::string least_velocity_text(const GainChoice& c, const Requirements& requirements, double velocity, Units units);
+
 /// A value of a requirement with its unit.
 std::string requirement_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u);
 
@@ -42,6 +45,9 @@ std::string design_verdict_text(const DesignAnswer& answer);
 
 /// The same, followed by the ends of the searched range on which the optimum lies: the page has alerts for those.
 std::string design_text(const DesignAnswer& answer);
+
+/// The Pareto front, least margin first.
+Table front_table(const DesignAnswer& answer);
 
 /// The choices side by side, and how each requirement fared.
 std::vector<Table> design_tables(const DesignAnswer& answer);

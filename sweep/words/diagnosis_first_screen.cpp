@@ -4,6 +4,7 @@
 #include "analysis/results/point.h"
 #include "sweep/words/cause_text.h"
 #include "sweep/words/diagnosis_tables.h"
+#include "sweep/words/named_cause.h"
 
 #include <fmt/format.h>
 
@@ -34,56 +35,6 @@ std::string as_multiple(double gap)
     if (!(gap >= 1000 && std::isfinite(gap))) return fmt::format("{:.2f}", gap);
     const double unit = std::pow(10, std::floor(std::log10(gap)) - 2);  // three digits, no exponent
     return fmt::format("{:.0f}", std::round(gap / unit) * unit);
-}
-
-std::string rivals_text(const Diagnosis& d)
-{
-    std::string text;
-    for (const auto& names : d.ambiguous_with) {
-        const bool same = !d.effects.empty() && names == d.effects[0].names;
-        text += (text.empty() ? "" : ", ") + together(names) + (same ? " by another law" : "");
-    }
-    return text;
-}
-
-/// The named cause, then those that the records cannot distinguish from it; one name where only its law is open.
-std::vector<std::string> one_of(const Diagnosis& d)
-{
-    std::vector<std::string> causes{together(d.effects[0].names)};
-    for (const auto& names : d.ambiguous_with)
-        if (names != d.effects[0].names) causes.push_back(together(names));
-    return causes;
-}
-
-/// That it is one of the causes that the first sentence names.
-double probability_of_named(const Diagnosis& d)
-{
-    const auto sorted = [](std::vector<std::string> names) {
-        std::ranges::sort(names);
-        return names;
-    };
-    double sum = d.effects[0].probability;
-    for (std::size_t i = 1; i < d.effects.size(); ++i)
-        if (std::ranges::any_of(d.ambiguous_with, [&](const auto& names) {
-                return sorted(names) == sorted(d.effects[i].names) && sorted(names) != sorted(d.effects[0].names);
-            }))
-            sum += d.effects[i].probability;
-    return std::min(sum, 1.0);
-}
-
-/// The cause, or the few that the records cannot distinguish, as sure as they are.
-std::string said_by_probability(const Diagnosis& d)
-{
-    const auto causes = one_of(d);
-    const std::string which =
-        causes.size() > 1 ? fmt::format("one of {}, which these records cannot distinguish", fmt::join(causes, ", "))
-                          : causes[0];
-    const double sure = probability_of_named(d);
-    if (sure >= gap::policy::stated_flatly) return "The gap comes from " + which;
-    if (sure >= gap::policy::stated_as_probable)
-        return fmt::format("The gap probably comes from {} ({})", which, whole_percent(sure));
-    return fmt::format("The likeliest cause of the gap is {} ({}; that it is none of those listed: {})", which,
-                       whole_percent(sure), whole_percent(probability_of_none(d)));
 }
 
 std::string when_text(const std::string& regime)
@@ -131,7 +82,7 @@ std::string held_out_text(const Diagnosis& d)
 std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& after)
 {
     const std::string text = cause_text(d.effects[0], before, after);
-    const double sure = d.effects[0].probability;
+    const double sure = probability_of_part(d);
     if (sure >= gap::policy::stated_flatly) return text;
     return fmt::format("{} ({}): {}", sure >= gap::policy::stated_as_probable ? "Probable" : "Likeliest, not certain",
                        whole_percent(sure), text);
@@ -147,8 +98,10 @@ Headline what_card(const Diagnosis& d)
     if (const auto causes = one_of(d); causes.size() > 1)
         return {Tone::warning, fmt::format("one of {}", fmt::join(causes, ", ")),
                 "cause: these records cannot distinguish them; the values above are those of the first"};
-    return {Tone::warning, together(d.effects[0].names),
-            "cause: the most probable effect of the catalogue; its values are above"};
+    std::string meaning = "cause: the most probable effect of the catalogue; its values are above";
+    if (const Cause* wider = wider_cause(d))
+        meaning += fmt::format("; {} predicts held-out data better", together(wider->names));
+    return {Tone::warning, together(d.effects[0].names), meaning};
 }
 
 Headline where_card(const Diagnosis& d)
@@ -186,9 +139,12 @@ Headline how_much_card(const Diagnosis& d)
 
 Headline how_sure_card(const Diagnosis& d)
 {
-    const auto& first = d.effects[0];
-    std::string meaning = "how sure: its probability; ";
-    if (!d.ambiguous_with.empty())
+    const Cause* wider = wider_cause(d);
+    std::string meaning =
+        wider ? "how sure: the probability that it is a part of the cause; " : "how sure: its probability; ";
+    if (wider)
+        meaning += alone_or_wider(d, *wider);
+    else if (!d.ambiguous_with.empty())
         meaning += "these records cannot distinguish it from " + rivals_text(d);
     else if (d.effects.size() > 1)
         meaning += fmt::format("the next candidate is {} with {}", together(d.effects[1].names),
@@ -197,7 +153,7 @@ Headline how_sure_card(const Diagnosis& d)
         meaning += "no other candidate remains";
     if (const double none = probability_of_none(d); none >= gap::policy::stated_none)
         meaning += fmt::format("; {} that the cause is not listed", whole_percent(none));
-    return {Tone::neutral, whole_percent(first.probability), meaning};
+    return {Tone::neutral, whole_percent(probability_of_part(d)), meaning};
 }
 
 std::vector<Headline> remains_card(const Diagnosis& d)
@@ -225,8 +181,9 @@ std::string diagnosis_sentence(const Diagnosis& d)
                     "the records from them by {}",
                     as_multiple(d.overall.own_floor), as_multiple(d.overall.after));
             else if (d.overall.before > 0)
-                text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor",
-                                    as_multiple(d.overall.before), as_multiple(d.overall.after));
+                text += fmt::format(": on held-out data it shrinks from {} to {} times the noise floor{}",
+                                    as_multiple(d.overall.before), as_multiple(d.overall.after),
+                                    wider_cause(d) ? " with " + together(d.effects[0].names) + " alone" : "");
             if (one_of(d).size() == 1 && !d.ambiguous_with.empty())
                 text += "; these records cannot distinguish it from " + rivals_text(d);
             return text + ".";

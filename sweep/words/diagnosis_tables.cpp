@@ -39,25 +39,6 @@ std::string with_prefix(double value, double like, const std::string& unit)
     return number(value / scaled.size) + (scaled.text.empty() ? "" : " " + scaled.text);
 }
 
-std::string signal_words(const std::string& column)
-{
-    if (column == "effort_command") return "commanded effort";
-    if (column == "effort_measured") return "measured effort";
-    std::string words = column;
-    std::ranges::replace(words, '_', ' ');
-    return words;
-}
-
-/// "frictional memory: lag"
-std::string parameter_words(const std::string& name)
-{
-    const auto dot = name.find('.');
-    if (dot == std::string::npos) return name;
-    std::string own = name.substr(dot + 1);
-    std::ranges::replace(own, '_', ' ');
-    return effect_words(name.substr(0, dot)) + ": " + own;
-}
-
 /// How the data were held out: no fault of theirs.
 bool is_of_method(const Note& note)
 {
@@ -68,6 +49,24 @@ bool is_of_method(const Note& note)
 }
 
 }  // namespace
+
+std::string signal_words(const std::string& column)
+{
+    if (column == "effort_command") return "commanded effort";
+    if (column == "effort_measured") return "measured effort";
+    std::string words = column;
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
+std::string parameter_words(const std::string& name)
+{
+    const auto dot = name.find('.');
+    if (dot == std::string::npos) return name;
+    std::string own = name.substr(dot + 1);
+    std::ranges::replace(own, '_', ' ');
+    return effect_words(name.substr(0, dot)) + ": " + own;
+}
 
 std::string together(const std::vector<std::string>& names)
 {

@@ -10,6 +10,11 @@ std::string together(const std::vector<std::string>& names);
 /// "38 %", "–" where there is none.
 std::string whole_percent(double part);
 
+/// "commanded effort" of the column effort_command.
+std::string signal_words(const std::string& column);
+/// "frictional memory: lag" of frictional-memory.lag.
+std::string parameter_words(const std::string& name);
+
 Table causes_table(const Diagnosis& d);
 Table parameters_table(const Diagnosis& d);
 /// What the documented parameters become with the first cause; no rows where it changes none of them.

@@ -59,6 +59,19 @@ std::string worst_text(const MarginsAnswer& a)
 
 }  // namespace
 
+std::string alone_name(const MarginsAnswer& a, std::size_t place)
+{
+    const Units units = units_of(a.joint);
+    const auto name = coordinate_text(a.alone_of[place], units);
+    const auto alike =
+        std::ranges::count_if(a.alone_of, [&](const Coordinate& c) { return coordinate_text(c, units) == name; });
+    if (alike < 2) return name;
+    for (const char* body : {"motor", "transmission", "link"})
+        if (a.alone_of[place].path.find("." + std::string(body) + ".") != std::string::npos)
+            return name + " of the " + body;
+    return name;
+}
+
 Table alone_table(const MarginsAnswer& a)
 {
     const Units units = units_of(a.joint);
@@ -69,7 +82,7 @@ Table alone_table(const MarginsAnswer& a)
         const auto& c = a.alone_of[i];
         const auto quantity = quantity_of(a.joint, c.path);
         const auto& n = a.alone[i];
-        table.rows.push_back({coordinate_text(c, units), with_unit(value_of(a.joint, c), quantity, units, 5),
+        table.rows.push_back({alone_name(a, i), with_unit(value_of(a.joint, c), quantity, units, 5),
                               n.found ? with_unit(n.moves[0].to, quantity, units, 5) : "none within ×10",
                               n.found ? signed_percent(n.moves[0].to / n.moves[0].from - 1) : "–"});
     }

@@ -11,6 +11,10 @@ namespace stickslip {
 /// "f_{0} − A"
 std::string coordinate_text(const Coordinate& coordinate, Units units);
 
+/// The same of the coordinate in this place, with its body where the joint has several of that symbol: "F_{c} of the
+/// motor".
+std::string alone_name(const MarginsAnswer& answer, std::size_t place);
+
 /// "−10.2 %" of a share.
 std::string signed_percent(double share);
 

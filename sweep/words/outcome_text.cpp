@@ -2,6 +2,8 @@
 
 #include "analysis/joint/parameters.h"
 #include "analysis/results/text.h"
+#include "sweep/words/effect_words.h"
+#include "sweep/words/symbols.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +12,14 @@ namespace stickslip {
 std::string key_of(const std::string& path)
 {
     return path.substr(path.rfind('.') + 1);
+}
+
+std::string third_text(const std::string& name, const gap::OutcomeAnswer& a)
+{
+    for (const auto& path : a.outcomes.table.paths)
+        if (const auto key = key_of(path); name.ends_with(" " + key))
+            return name.substr(0, name.size() - key.size()) + symbol_of(path, units_of(a.after));
+    return name;
 }
 
 std::string outcome_sentence(const gap::OutcomeAnswer& a)
@@ -22,7 +32,7 @@ std::string outcome_sentence(const gap::OutcomeAnswer& a)
             std::string text = fmt::format(
                 "The measured boundary is that of {} (law {}): it misjudges {} of {} held-out rows, the nominal joint "
                 "{}",
-                best.rival->effect, best.rival->law, best.misjudged, n, a.nominal.misjudged);
+                effect_words(best.rival->effect), best.rival->law, best.misjudged, n, a.nominal.misjudged);
             if (!a.alike.empty())
                 text += fmt::format("; these rows cannot distinguish it from {}", fmt::join(a.alike, ", "));
             return text + ".";
@@ -46,11 +56,11 @@ std::string next_outcome_text(const gap::OutcomeAnswer& a)
         const auto& path = a.outcomes.table.paths[k];
         for (const auto& p : parameters(joint))
             if (p.path == path)
-                place += (place.empty() ? "" : ", ") + key_of(path) + " = " +
+                place += (place.empty() ? "" : ", ") + symbol_of(path, units_of(joint)) + " = " +
                          with_unit(a.next.settings[k], p.quantity, units_of(joint));
     }
     return fmt::format("start from rest at {}: {} expects stick-slip with probability {:.2f}, {} with {:.2f}", place,
-                       one, a.next.one, two, a.next.two);
+                       effect_words(one), a.next.one, effect_words(two), a.next.two);
 }
 
 }  // namespace stickslip

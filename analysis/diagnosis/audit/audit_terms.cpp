@@ -156,6 +156,18 @@ Changed standing_out(const CommandTerms& all, Changed changed)
     return changed;
 }
 
+/// A limit that was found beside the documented gain is one of that gain's share: of another gain it is by as much
+/// another limit, which may be the documented one after all.
+void scale_found_limit(std::vector<Case>& cases, double documented, double by, Audit& result)
+{
+    const auto found = std::ranges::find(result.findings, "gain-k_i.integral_limit", &AuditFinding::parameter);
+    if (found == result.findings.end()) return;
+    found->value *= by;
+    const bool same = std::abs(found->value - documented) < policy::digits * documented;
+    for (auto& c : cases) c.joint.control.integral_limit = same ? documented : found->value;
+    if (same) result.findings.erase(found);
+}
+
 }  // namespace
 
 bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
@@ -198,6 +210,8 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
         const auto uncounted =
             factor ? uncounted_sample(term, changed.fit.value[i], cases[0].joint.control) : std::nullopt;
         for (auto& c : cases) correct(c.joint.control, term, changed.fit.value[i], factor);
+        if (term == k_i_term && factor)
+            scale_found_limit(cases, documented.integral_limit, 1 + changed.fit.value[i], result);
         if (uncounted) {
             const Control& now = cases[0].joint.control;
             const bool cascade = now.structure == Structure::cascade;

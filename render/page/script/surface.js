@@ -34,9 +34,9 @@ const axisTicks = (axis) => {
   return [0, 0.25, 0.5, 0.75, 1].map((t) => low + t * (high - low));
 };
 
-const surfaceQuads = (data, zAxis) => {
+const surfaceQuads = (data, z, zAxis) => {
   const pick = (values) => { const step = Math.ceil(values.length / 60); return values.map((_, i) => i).filter((i) => i % step === 0 || i === values.length - 1); };
-  const columns = pick(data.x.values), rows = pick(data.y.values), z = data.readings[0].values, wide = data.x.values.length, quads = [];
+  const columns = pick(data.x.values), rows = pick(data.y.values), wide = data.x.values.length, quads = [];
   const place = (i, j) => [position(data.x, data.x.values[i]) - 0.5, position(data.y, data.y.values[j]) - 0.5, position(zAxis, z[j * wide + i]) - 0.5];
   for (let a = 0; a + 1 < columns.length; ++a)
     for (let b = 0; b + 1 < rows.length; ++b) {
@@ -80,10 +80,12 @@ const drawSurfaceAxes = (pen, view, axes) => {
 };
 
 const addTurning = (figure, data, button) => {
-  const picture = figure.querySelector(".sheet > svg"), reading = data.readings[0], zs = reading.values.filter(Number.isFinite);
+  const picture = figure.querySelector(".sheet > svg"), reading = data.readings[0], heights = reading.values.slice();
+  for (const node of data.undrawn) heights[node] = NaN;  // the unresolved rim, as in the printed picture
+  const zs = heights.filter(Number.isFinite);
   if (zs.length === 0) return;
   const log = zs.every((v) => v > 0), zAxis = { ...reading, log, low: zs.reduce((a, b) => Math.min(a, b)), high: zs.reduce((a, b) => Math.max(a, b)) };
-  const quads = surfaceQuads(data, zAxis), canvas = element("canvas", { class: "turned", tabindex: "0", role: "img", hidden: "",
+  const quads = surfaceQuads(data, heights, zAxis), canvas = element("canvas", { class: "turned", tabindex: "0", role: "img", hidden: "",
     "aria-label": `${reading.name} over ${data.x.name} and ${data.y.name}: drag, or use the arrow keys, to turn it` });
   picture.after(canvas);
   let azimuth = -0.6, height = 0.5;

@@ -47,6 +47,12 @@ std::string typed(const std::string& value)
     return fmt::format("{:.7g}", number);
 }
 
+/// The value without its comment, with as many digits as somebody would type.
+std::string typed_value(const std::string& entry)
+{
+    return typed(trimmed(entry.substr(0, entry.find('#'))));
+}
+
 }  // namespace
 
 std::string changed_lines(std::string_view before, std::string_view after)
@@ -56,17 +62,14 @@ std::string changed_lines(std::string_view before, std::string_view after)
     std::string text, table;
     for (const auto& e : entries(after)) {
         const auto old = was.find({e.table, e.key});
-        if (old != was.end() && old->second == e.value) continue;
+        if (old != was.end() && typed_value(old->second) == typed_value(e.value)) continue;
         if (e.table != table) text += (text.empty() ? "" : "\n") + e.table + "\n";
         table = e.table;
-        const std::string number = trimmed(e.value.substr(0, e.value.find('#')));
         const std::string unit =
             e.value.find('#') == std::string::npos ? "" : trimmed(e.value.substr(e.value.find('#') + 1));
-        text += e.key + " = " + typed(number) + "   #";
+        text += e.key + " = " + typed_value(e.value) + "   #";
         if (!unit.empty()) text += " " + unit + ",";
-        text += old == was.end()
-                    ? " not in the documented file\n"
-                    : " documented: " + typed(trimmed(old->second.substr(0, old->second.find('#')))) + "\n";
+        text += old == was.end() ? " not in the documented file\n" : " documented: " + typed_value(old->second) + "\n";
     }
     return text;
 }

@@ -1,6 +1,7 @@
 // stickslip boundary: where exactly the boundaries lie.
 #include "analysis/boundary/kinds/linear_side.h"
 #include "analysis/boundary/kinds/outside.h"
+#include "analysis/results/text.h"
 #include "analysis/simulation/set_point/set_point.h"
 #include "analysis/stability/verdict.h"
 #include "sweep/files/json/boundary_json.h"
@@ -16,7 +17,9 @@
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/stoppable.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/with_version.h"
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/boundary_report.h"
 #include "sweep/report/write_report.h"
@@ -113,8 +116,8 @@ struct Tally {
 
 void print_ray(const LocatedRay& ray, Units units)
 {
-    fmt::print("{} along {}: {} points, {} evaluations\n", name_of(ray.kind), ray.axis.path, ray.points.size(),
-               ray.evaluations);
+    fmt::print("{} along {}: {}, {} evaluations\n", name_of(ray.kind), ray.axis.path,
+               counted(ray.points.size(), "point"), ray.evaluations);
     for (const auto& p : ray.points)
         fmt::print("  {:<14} {:<18.12g} {:<8} bracket {:.1e}  {}  {}, {} evaluations\n", name_of(ray.kind), p.value,
                    unit_of(ray.axis.quantity, units), p.precision(), p.converged ? "located" : "coarse ",
@@ -122,20 +125,24 @@ void print_ray(const LocatedRay& ray, Units units)
     fmt::print("  not excluded by this search: {}\n", could_be_missed(ray));
 }
 
-void print_curve(const FollowedBoundary& c)
+void print_curve(const FollowedBoundary& c, Units units)
 {
-    fmt::print("{} over ({}, {}): {} pieces, {} points, coarsest bracket {:.1e}, {} evaluations\n", name_of(c.kind),
-               c.x.path, c.y.path, c.pieces.size(), c.points(), c.precision(), c.evaluations);
+    const auto place = [&](const auto& point) {
+        return plain_text("(" + with_unit(point.x, c.x.quantity, units, 6) + ", " +
+                          with_unit(point.y, c.y.quantity, units, 6) + ")");
+    };
+    fmt::print("{} over ({}, {}): {}, {} points, coarsest bracket {:.1e}, {} evaluations\n", name_of(c.kind), c.x.path,
+               c.y.path, counted(c.pieces.size(), "piece"), c.points(), c.precision(), c.evaluations);
     for (const auto& piece : c.pieces)
         if (!piece.points.empty())
-            fmt::print("  ({:.6g}, {:.6g}) … ({:.6g}, {:.6g}), {} points, ends: {}, {}\n", piece.points.front().x,
-                       piece.points.front().y, piece.points.back().x, piece.points.back().y, piece.points.size(),
-                       name_of(piece.first), name_of(piece.last));
+            fmt::print("  {} … {}, {} points, ends: {}, {}\n", place(piece.points.front()), place(piece.points.back()),
+                       piece.points.size(), name_of(piece.first), name_of(piece.last));
     fmt::print("  not excluded by this search: {}\n", could_be_missed(c));
 }
 
 int locate(const BoundaryOptions& options, const Invocation& invocation)
 {
+    const auto start = std::chrono::steady_clock::now();
     auto asked = read_spec_or_joint(options.input, options.settings);
     const auto left_out = options.ideal_loop ? leave_loop_out(asked) : std::nullopt;
     say_no_sliding(options.input, options.settings, asked.design);
@@ -152,20 +159,20 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     for (const auto& question : questions)
         if (question.request.kind == BoundaryKind::hunting) answer.set_point = set_point(answer.design);
     answer.idle = idle_axes(answer.design, linear_axes(questions));
-    const auto start = std::chrono::steady_clock::now();
     answer.region = linear_region(answer.design);
     const std::size_t answered = answer_all(answer, questions, invocation);
     if (answered == 0 && !questions.empty()) return exit_interrupted;
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-
-    const auto report = boundary_report(answer);
+    const auto report = with_version(boundary_report(answer));
     auto json = boundary_json(answer);
     json["answer"] = plain_text(report.verdict);
-    fmt::print("{}\n", options.json ? json.dump(2) : plain_text(report.verdict));
+    if (options.json)
+        fmt::print("{}\n", json.dump(2));
+    else
+        print_sentence(report.verdict);
     const Tally tally(answer, options.max_undecided);
     if (!options.json) {
         for (const auto& ray : answer.rays) print_ray(ray, units_of(answer.design));
-        for (const auto& curve : answer.curves) print_curve(curve);
+        for (const auto& curve : answer.curves) print_curve(curve, units_of(answer.design));
     }
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "boundary.json", json.dump(1) + "\n");
@@ -176,7 +183,8 @@ int locate(const BoundaryOptions& options, const Invocation& invocation)
     if (!options.json) {
         if (!answer.outcome_means.empty())
             fmt::print("outcomes follow a disturbance: {}\n", plain_text(answer.outcome_means));
-        fmt::print("{} points, {} evaluations, {:.2f} s\n", tally.points, tally.evaluations, wall.count());
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        fmt::print("{}, {} evaluations, {:.2f} s\n", counted(tally.points, "point"), tally.evaluations, seconds);
     }
     const bool bare = answer.charts.empty() && !answer.curves.empty();
     if (answered < questions.size() || bare) return exit_interrupted;

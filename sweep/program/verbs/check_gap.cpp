@@ -11,6 +11,7 @@
 #include "sweep/program/verbs/gather_records.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/shell_word.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/words/comparison_text.h"
 #include "sweep/words/diagnosis_text.h"
 #include "sweep/words/plain_text.h"
@@ -58,7 +59,7 @@ void say(const GapCheck& check, const GapCheckQuestion& question)
 {
     for (const auto& r : check.regressions) fmt::print("FAIL {}\n", plain_text(regression_text(r, check.comparison)));
     if (check.passes()) fmt::print("ok   {}\n", outcome_words(check.comparison.after));
-    fmt::print("{}\n", plain_text(comparison_sentence(check.comparison)));
+    print_sentence(comparison_sentence(check.comparison));
     if (!check.changed_joint.empty()) fmt::print("the joint file has changed since the baseline:\n");
     for (const auto& line : check.changed_joint) fmt::print("  {}\n", line);
     if (check.passes()) return;

@@ -5,6 +5,7 @@
 #include "sweep/files/text/whole_file.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/report/pages/timeline_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/words/comparison_text.h"
@@ -35,7 +36,7 @@ int compare_verb(const Options& options, const Invocation& invocation)
         fmt::print("{}", json);
         return exit_done;
     }
-    fmt::print("{}\n", plain_text(comparison_sentence(comparison)));
+    print_sentence(comparison_sentence(comparison));
     for (const auto& change : comparison.numbers)
         if (is_reported(change, comparison)) fmt::print("  {}\n", plain_text(change_text(change)));
     if (!options.directory.empty())

@@ -19,6 +19,7 @@
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/with_version.h"
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/design_report.h"
 #include "sweep/report/write_report.h"
@@ -79,7 +80,7 @@ void write_files(const DesignAnswer& answer, const Joint& described, const nlohm
         snippets = {{"For the joint file", changed_lines(joint_text(before), text), ""},
                     {"The whole joint file with these gains", text, "designed-joint.toml"}};
     }
-    const auto page = write_report(design_report(answer, std::move(snippets)), options.directory);
+    const auto page = write_report(with_version(design_report(answer, std::move(snippets))), options.directory);
     if (!options.json) fmt::print("\nreport: {}\n", page.string());
 }
 
@@ -131,15 +132,9 @@ int design(const Options& options, const Invocation& invocation)
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n", plain_text(design_text(answer)));
+        print_sentence(design_text(answer));
         for (const auto& table : design_tables(answer)) print_table(table);
-        if (!answer.design.front.empty()) {
-            fmt::print("\nPareto front\n  {:>8} {:>14} {:>14} {:>14} {:>14}\n", "margin", "k_p", "k_v", "motion rms",
-                       "effort rms");
-            for (const auto& c : answer.design.front)
-                fmt::print("  {:>8.3g} {:>14.5g} {:>14.5g} {:>14.4g} {:>14.4g}\n", c.margin, c.k_p, c.k_v,
-                           c.motion_noise, c.effort_noise);
-        }
+        if (!answer.design.front.empty()) print_table(front_table(answer));
     }
     if (!options.directory.empty()) write_files(answer, described, json, options);
     return !answer.design.decided ? exit_undecided : answer.design.feasible ? exit_done : exit_not_met;

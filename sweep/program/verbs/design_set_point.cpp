@@ -20,6 +20,7 @@
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/stoppable.h"
 #include "sweep/program/verbs/terminal.h"
+#include "sweep/program/verbs/with_version.h"
 #include "sweep/report/pages/set_point_design_report.h"
 #include "sweep/report/write_report.h"
 #include "sweep/study/set_point_scan.h"
@@ -66,7 +67,7 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n", plain_text(set_point_design_text(design, units_of(joint))));
+        print_sentence(set_point_design_text(design, units_of(joint)));
         for (const auto& table : set_point_design_tables(design, units_of(joint))) print_table(table);
     }
     const auto* best = design.best < 0 ? nullptr : &design.choices[static_cast<std::size_t>(design.best)];
@@ -84,10 +85,11 @@ int design_set_point_answer(const SetPointOptions& options, Invocation& invocati
         try {
             const auto scan = set_point_scan(joint, requirements, design,
                                              until_interrupted(invocation.interrupted, parallel_for_each));
-            const auto page = write_report(set_point_design_report({invocation.command, joint, options.friction_margin,
-                                                                    options.rest_error, design, scan},
-                                                                   std::move(snippets)),
-                                           options.directory);
+            const auto page =
+                write_report(with_version(set_point_design_report(
+                                 {invocation.command, joint, options.friction_margin, options.rest_error, design, scan},
+                                 std::move(snippets))),
+                             options.directory);
             if (!options.json) fmt::print("\nreport: {}\n", page.string());
         } catch (const Stopped&) {
             say("interrupted: the design is written, its page is not\n");

@@ -18,6 +18,7 @@
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/stage_line.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/diagnosis_report.h"
 #include "sweep/report/pages/outcome_report.h"
@@ -25,8 +26,10 @@
 #include "sweep/words/diagnosis_first_screen.h"
 #include "sweep/words/diagnosis_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/effect_words.h"
 #include "sweep/words/guarantee_text.h"
 #include "sweep/words/outcome_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/refusal_text.h"
 #include "sweep/words/signature_text.h"
 
@@ -84,7 +87,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
     std::vector<Note> of_reader;
     for (const auto& text : warnings) of_reader.push_back({.text = text});
     d.notes.insert(d.notes.begin(), of_reader.begin(), of_reader.end());
-    const auto next = next_outcome_text(answer);
+    const auto next = plain_text(next_outcome_text(answer));
     remove_earlier(directory);
     auto json = diagnosis_json(d, {own_windows(joint, d.usual_speed), own_windows(answer.after, d.usual_speed)});
     json["next_experiment"]["description"] = next;
@@ -105,11 +108,11 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
         fmt::print("{}\n", json.dump(2));
         return exit_code_of(d, false);
     }
-    fmt::print("{}\n", outcome_sentence(answer));
+    print_sentence(outcome_sentence(answer));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
     for (const auto& f : answer.laws)
-        fmt::print("  {:<16} {:<18} probability {:.3f}  misjudges {} of {} held-out rows\n", f.rival->law,
-                   f.rival->effect, f.posterior, f.misjudged, answer.outcomes.size());
+        fmt::print("  {:<16} {:<19} probability {:.3f}  misjudges {} of {} held-out rows\n", f.rival->law,
+                   effect_words(f.rival->effect), f.posterior, f.misjudged, answer.outcomes.size());
     if (!next.empty()) fmt::print("next: {}\n", next);
     fmt::print("diagnosis: {}\n", (directory / "diagnosis.json").string());
     if (!options.no_report) fmt::print("report:    {}\n", (directory / "report.html").string());
@@ -119,7 +122,7 @@ int diagnose_outcomes(const Options& options, const Joint& joint, const Invocati
 void print_answer(const JointDiagnosis& found, const GatheredRecords& given)
 {
     const Diagnosis& d = found.diagnosis;
-    fmt::print("{}\n", diagnosis_sentence(d));
+    print_sentence(diagnosis_sentence(d));
     for (const auto& reason : d.reasons) fmt::print("  {}\n", note_text(reason));
     if (!found.contradicted)
         for (const auto& warning : given.warnings) fmt::print("  {}\n", note_text(warning));

@@ -11,6 +11,7 @@
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/say.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/report/pages/robot_report.h"
 #include "sweep/report/write_robot_report.h"
 #include "sweep/words/robot_text.h"
@@ -144,7 +145,7 @@ int diagnose_robot(const RobotQuestion& question, const Invocation& invocation)
     if (question.json) {
         fmt::print("{}", json);
     } else {
-        fmt::print("{}\n", robot_sentence(answer));
+        print_sentence(robot_sentence(answer));
         fmt::print("robot:     {}\n", (directory / "robot.json").string());
         if (!question.no_report) fmt::print("page:      {}\n", (directory / "robot.html").string());
     }

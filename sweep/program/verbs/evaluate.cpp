@@ -13,6 +13,7 @@
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/stage_line.h"
 #include "sweep/program/verbs/surroundings_option.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/evaluation_report.h"
 #include "sweep/report/pages/load_section.h"
@@ -50,7 +51,7 @@ void print_rows(const Table& table)
 
 void print_rest(const JointEvaluation& e)
 {
-    fmt::print("{}\n", plain_text(set_point_text(*e.rest, e.units())));
+    print_sentence(set_point_text(*e.rest, e.units()));
     print_rows(set_point_table(*e.rest, e.units()));
 }
 
@@ -60,12 +61,12 @@ void print_text(const JointEvaluation& e, const std::string& servo)
     const bool behind = e.rest && !e.only_rest() && e.rest->hunting == Hunting::undecided;
     if (e.rest && !behind) print_rest(e);
     if (!e.only_rest()) {
-        if (e.open()) fmt::print("{}\n", plain_text(open_text(e.nonlinear)));
+        if (e.open()) print_sentence(open_text(e.nonlinear));
         if (!e.contradicting.empty())
             fmt::print("{}\n", contradicted_text(e.contradicting, e.verdict.state_variable.stable));
         const auto taken = taken_out(e.nonlinear.region == NonlinearRegion::bistable, e.nonlinear);
         const auto verdict = plain_text(verdict_text(e.summed, e.verdict, taken, e.nonlinear.comes_to_rest()));
-        fmt::print("{}\n", e.left_out ? of_ideal_loop(verdict) : verdict);
+        print_sentence(e.left_out ? of_ideal_loop(verdict) : verdict);
         print_rows(linear_table(e.summed, e.verdict));
         print_rows(nonlinear_table(e.joint, e.nonlinear));
     }

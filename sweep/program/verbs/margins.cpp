@@ -11,7 +11,9 @@
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/stage_line.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/program/verbs/with_version.h"
 #include "sweep/program/verbs/word_option.h"
 #include "sweep/report/pages/margins_report.h"
 #include "sweep/report/write_report.h"
@@ -83,10 +85,10 @@ int margins(const Options& options, const Invocation& invocation)
     if (options.json)
         fmt::print("{}\n", json.dump(2));
     else
-        fmt::print("{}\n{}", plain_text(margins_text(answer)), alone_lines(answer));
+        print_sentence(margins_text(answer)), fmt::print("{}", alone_lines(answer));
     if (!options.directory.empty()) {
         write_whole(std::filesystem::path(options.directory) / "margins.json", json.dump(1) + "\n");
-        const auto page = write_report(margins_report(answer), options.directory);
+        const auto page = write_report(with_version(margins_report(answer)), options.directory);
         if (!options.json) fmt::print("report: {}\n", page.string());
     }
     return answer.nearest.decided ? exit_done : exit_undecided;

@@ -1,5 +1,7 @@
 // stickslip plan: before measuring, what a motion can show of a joint and what it cannot distinguish.
 #include "sweep/study/plan.h"
+
+#include "analysis/results/text.h"
 #include "sweep/files/json/verdict_json.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/series_file.h"
@@ -9,11 +11,15 @@
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/parallel.h"
 #include "sweep/program/verbs/verbs.h"
+#include "sweep/words/effect_words.h"
 #include "sweep/words/experiment_text.h"
+#include "sweep/words/plain_text.h"
 #include "sweep/words/refusal_text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -46,16 +52,23 @@ void write_motion(const std::filesystem::path& file, const gap::SafeMotion& moti
     write_whole(file, text);
 }
 
+/// "333 µN·m  (amplitude)"
+std::string size_text(const gap::EffectPower& e)
+{
+    const ScaledUnit unit = scaled_unit(std::abs(e.least_size), e.unit == "1" ? "" : e.unit);
+    std::string parameter = e.parameter;
+    std::ranges::replace(parameter, '_', ' ');
+    return plain_text(plain_number(e.least_size / unit.size)) + (unit.text.empty() ? "" : " " + unit.text) + "  (" +
+           parameter + ")";
+}
+
 void print(const gap::Power& power)
 {
-    fmt::print("least size that the diagnosis finds in this motion\n");
+    fmt::print("least size that the diagnosis finds in this motion; of a stiffness or a limit the largest\n");
     for (const auto& e : power.effects)
-        fmt::print("  {:<30} {}\n", e.name,
-                   is_set(e.least_size)
-                       ? fmt::format("{:.3g} {}  ({})", e.least_size, e.unit == "1" ? "" : e.unit, e.parameter)
-                       : "no usual size");
+        fmt::print("  {:<30} {}\n", effect_words(e.name), is_set(e.least_size) ? size_text(e) : "not to be found");
     for (const auto& [one, other] : power.inseparable)
-        fmt::print("  {} and {} cannot be distinguished by it\n", one, other);
+        fmt::print("  {} and {} cannot be distinguished by it\n", effect_words(one), effect_words(other));
 }
 
 int run(const Options& options)

@@ -41,6 +41,14 @@ void ProgressLine::update(const Progress& p)
     drawn_ = true;
 }
 
+void ProgressLine::say_next(const std::string& what)
+{
+    if (!terminal_) return;
+    say("\r\033[K{}", what);
+    std::fflush(stderr);
+    drawn_ = true;
+}
+
 void ProgressLine::end()
 {
     if (drawn_) say("\r\033[K");

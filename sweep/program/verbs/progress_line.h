@@ -2,6 +2,8 @@
 #pragma once
 #include "sweep/engine/engine.h"
 
+#include <string>
+
 namespace stickslip {
 
 class ProgressLine {
@@ -9,6 +11,8 @@ class ProgressLine {
     ProgressLine();
     bool shown() const { return terminal_; }
     void update(const Progress& progress);
+    /// What goes on after the last point.
+    void say_next(const std::string& what);
     /// Takes the line away again.
     void end();
 

@@ -17,6 +17,7 @@
 #include "sweep/program/verbs/no_sliding.h"
 #include "sweep/program/verbs/number_option.h"
 #include "sweep/program/verbs/surroundings_option.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/program/verbs/verbs.h"
 #include "sweep/report/pages/record_report.h"
 #include "sweep/report/pages/trajectory_report.h"
@@ -172,7 +173,7 @@ int simulate_joint(const Options& options, const Invocation& invocation)
     const auto curves = motion_curves(joint, trajectory);
     auto report = trajectory_report(joint, trajectory, verdict, surroundings, curves);
     report.provenance = {{"version", program_version()}, {"command", invocation.command}};
-    fmt::print("{}\n", plain_text(report.verdict));
+    print_sentence(report.verdict);
     if (trajectory.time.empty()) return exit_undecided;
     fmt::print("trajectory: {}\n",
                write_trajectory(joint, trajectory, curves.control_force, options.directory).string());

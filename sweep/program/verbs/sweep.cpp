@@ -31,7 +31,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <memory>
+#include <tuple>
 
 namespace stickslip {
 namespace {
@@ -82,7 +84,7 @@ PlanOptions plan_options_of(const Options& options, const Spec& spec)
 
 /// What came of it, on standard output; `page` is empty where no report was requested.
 void tell(const Options& options, const SweepSummary& summary, const Json& loop, const Json& idle, double bound,
-          const RunReport& run, const std::string& answer, const std::filesystem::path& page)
+          const RunReport& run, const std::string& answer, const std::filesystem::path& page, double seconds)
 {
     if (options.json) {
         nlohmann::ordered_json json{{"format", "stickslip-sweep-run/1"},
@@ -99,8 +101,8 @@ void tell(const Options& options, const SweepSummary& summary, const Json& loop,
         fmt::print("{}\n", json.dump(2));
     } else {
         fmt::print("{}", answer);
-        fmt::print("{}, {} of them computed now in {:.2f} s, {} undecided\n", counted(summary.points, "point"),
-                   run.computed.points, run.computed.seconds, summary.undecided);
+        fmt::print("{}, {} of them computed now, {} undecided; {:.2f} s in all\n", counted(summary.points, "point"),
+                   run.computed.points, summary.undecided, seconds);
         if (summary.interpolated > 0)
             fmt::print("  {} interpolated to within {:.3g} % (nonlinear.interpolation; --every-point computes all)\n",
                        counted(summary.interpolated, "point"), 100 * bound);
@@ -114,8 +116,23 @@ void tell(const Options& options, const SweepSummary& summary, const Json& loop,
     }
 }
 
+/// What the terminal says of the page, and where it is.
+std::pair<std::string, std::filesystem::path> draw_page(const Spec& spec, const SweepSummary& summary,
+                                                        const std::string& text,
+                                                        const std::optional<LeftOutLoop>& left_out,
+                                                        const std::string& directory)
+{
+    auto stored = answer_sweep(spec, summary);
+    stored.spec = text;
+    stored.left_out = left_out;
+    write_sweep_answer(stored, directory);
+    const auto report = stability_report(spec, summary, stored);
+    return {terminal_summary(report), write_sweep_report(report, spec, directory)};
+}
+
 int sweep(const Options& options, Invocation& invocation)
 {
+    const auto start = std::chrono::steady_clock::now();
     const auto date = timestamp(options.timestamp);
     Spec spec = options.spec.empty() ? read_spec_text(embedded_spec(), "(embedded example)") : read_spec(options.spec);
     if (options.every_point) spec.nonlinear.interpolation = 0;
@@ -161,16 +178,13 @@ int sweep(const Options& options, Invocation& invocation)
     std::string answer = plain_text(verdict_text(design, verdict)) + "\n";
     if (left_out) answer = of_ideal_loop(answer);
     if (!options.no_report) {
-        auto stored = answer_sweep(spec, summary);
-        stored.spec = plan_options.spec;
-        stored.left_out = left_out;
-        write_sweep_answer(stored, options.directory);
-        const auto report = stability_report(spec, summary, stored);
-        answer = terminal_summary(report);
-        page = write_sweep_report(report, spec, options.directory);
+        line.say_next("computing the answers for the design, drawing the page");
+        std::tie(answer, page) = draw_page(spec, summary, plan_options.spec, left_out, options.directory);
+        line.end();
     }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     tell(options, summary, loop_json(verdict.loop, left_out), idle_json(idle), spec.nonlinear.interpolation, run,
-         answer, page);
+         answer, page, wall.count());
     return undecided > options.max_undecided ? exit_undecided : exit_done;
 }
 

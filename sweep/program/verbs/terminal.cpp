@@ -1,5 +1,6 @@
 #include "sweep/program/verbs/terminal.h"
 
+#include "sweep/program/verbs/folded_text.h"
 #include "sweep/words/plain_text.h"
 
 #include <fmt/format.h>
@@ -54,16 +55,26 @@ std::string toned(const std::string& text, Headline::Tone tone)
 
 std::string terminal_summary(const Report& report)
 {
-    std::string text = toned(plain_text(report.verdict), report.tone) + "\n";
-    for (const auto& alert : report.alerts) text += toned("! " + plain_text(alert.text), alert.tone) + "\n";
+    const auto columns = terminal_columns();
+    std::string text = toned(folded(plain_text(report.verdict), columns), report.tone) + "\n";
+    for (const auto& alert : report.alerts)
+        text += toned(folded("! " + plain_text(alert.text), columns, 2), alert.tone) + "\n";
     std::size_t widest = 0;
     for (const auto& headline : report.headlines) widest = std::max(widest, letters(plain_text(headline.value)));
     for (const auto& headline : report.headlines) {
         const auto value = plain_text(headline.value);
-        text += "  " + toned(value, headline.tone) + std::string(widest + 2 - letters(value), ' ') +
-                plain_text(headline.meaning) + "\n";
+        const auto hang = widest + 4;
+        // coloured after folding: colours are no letters
+        const auto line = folded(
+            "  " + value + std::string(widest + 2 - letters(value), ' ') + plain_text(headline.meaning), columns, hang);
+        text += "  " + toned(value, headline.tone) + line.substr(2 + value.size()) + "\n";
     }
     return text;
+}
+
+void print_sentence(const std::string& text)
+{
+    fmt::print("{}\n", folded(plain_text(text), terminal_columns()));
 }
 
 void print_table(const Table& table)

@@ -12,6 +12,9 @@ std::string toned(const std::string& text, Headline::Tone tone);
 /// Verdict, alerts and headlines of a report as lines for standard output: the answer without opening the page.
 std::string terminal_summary(const Report& report);
 
+/// The answer on standard output, from mark-up: in lines of its width on a terminal.
+void print_sentence(const std::string& text);
+
 /// A table on standard output, columns as wide as their longest cell.
 void print_table(const Table& table);
 

@@ -8,6 +8,7 @@
 #include "sweep/program/verbs/diagnose_joint.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/exit_code.h"
+#include "sweep/program/verbs/terminal.h"
 #include "sweep/report/pages/timeline_report.h"
 #include "sweep/report/write_linked_report.h"
 #include "sweep/words/comparison_text.h"
@@ -74,7 +75,7 @@ Timeline read_timeline(const Options& options)
     std::vector<DatedDiagnosis> runs;
     for (const auto& file : files) {
         const auto page = file.parent_path() / "report.html";
-        const auto from = fs::weakly_canonical(options.directory);
+        const auto from = fs::weakly_canonical(fs::absolute(options.directory));  // it need not exist yet
         runs.push_back({date_of(file), read_diagnosis(file),
                         fs::exists(page) ? page.lexically_relative(from).generic_string() : std::string()});
     }
@@ -96,7 +97,7 @@ int timeline_verb(const Options& options, const Invocation& invocation)
         fmt::print("{}", json);
         return exit_done;
     }
-    fmt::print("{}\n", plain_text(timeline_sentence(timeline)));
+    print_sentence(timeline_sentence(timeline));
     for (const auto& run : timeline.runs) fmt::print("  {}  {}\n", date_text(run.at), outcome_words(run.facts));
     fmt::print("timeline: {}\n", (directory / "timeline.json").string());
     if (!options.no_report) fmt::print("report:   {}\n", (directory / "report.html").string());

@@ -130,6 +130,39 @@ StabilityMap stability_map(Units units, const Slice& slice, const MapAnswer& ans
     return map;
 }
 
+namespace {
+
+/// On the chart as printed, or on one that its slider reaches.
+bool has_curve(const StabilityMap& map, Curve::Kind kind)
+{
+    const auto among = [kind](const std::vector<Curve>& curves) {
+        return std::ranges::any_of(curves, [kind](const Curve& c) { return c.kind == kind && !c.x.empty(); });
+    };
+    return among(map.curves) || std::ranges::any_of(map.layers, [&](const auto& layer) { return among(layer.curves); });
+}
+
+std::string pens_text(const StabilityMap& map)
+{
+    std::string text;
+    if (has_curve(map, Curve::Kind::state_variable)) text += "Solid: boundary with memory (state-variable friction). ";
+    if (has_curve(map, Curve::Kind::velocity_only))
+        text += "Dashed: boundary of the velocity-only model of the same friction. ";
+    return text;
+}
+
+std::string located_text(const StabilityMap& map, const MapAnswer& answer)
+{
+    const bool memory = has_curve(map, Curve::Kind::state_variable), other = has_curve(map, Curve::Kind::velocity_only);
+    const std::string subject = memory && other ? "Both curves are" : "The boundary is";
+    return (memory || other ? subject + " located to a relative bracket of " + power_of_ten(answer.precision) +
+                                  ", not contoured from the grid"
+                            : "No boundary was found on this chart") +
+           "; the search does not exclude a closed piece smaller than 1/" + std::to_string(answer.mesh) +
+           " of an axis.";
+}
+
+}  // namespace
+
 Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool design_rests)
 {
     Figure figure;
@@ -146,17 +179,14 @@ Figure map_figure(Units units, const Slice& slice, const MapAnswer& answer, bool
                      (bistable > 0 ? percent(bistable) + " is bistable. " : "") +
                      design_point_text(map.design.region, map.design.spectral_abscissa, design_rests);
     figure.caption =
-        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). Solid: boundary with "
-        "memory (state-variable friction). Dashed: boundary of the velocity-only model of the same friction. ";
+        "How to read it: blue decays, red grows (largest real part of the spectrum, with memory). " + pens_text(map);
     if (needless_share > 0)
         figure.caption += "Hatched in gold, " + needless +
                           " of the chart: smooth, though the velocity-only model predicts stick-slip. ";
     if (missed_share > 0)
         figure.caption += "Hatched crosswise, " + missed +
                           " of the chart: not smooth, though the velocity-only model predicts smooth sliding. ";
-    figure.caption += "Both curves are located to a relative bracket of " + power_of_ten(answer.precision) +
-                      ", not contoured from the grid; the search does not exclude a closed piece smaller than 1/" +
-                      std::to_string(answer.mesh) + " of an axis." + held_words(slice, units);
+    figure.caption += located_text(map, answer) + held_words(slice, units);
     if (std::any_of(map.curves.begin(), map.curves.end(),
                     [](const Curve& c) { return c.kind == Curve::Kind::ideal_loop; }))
         figure.caption +=
@@ -190,44 +220,6 @@ std::vector<Figure> outcome_figures(Units units, const Slice& slice, const MapAn
                                              "Share of each cycle at rest or below a hundredth of V_{0}."));
     }
     return figures;
-}
-
-namespace {
-
-/// What the surface's missing places mean, in a sentence: no single critical gain has three causes.
-std::string where_no_critical_gain(const GainSurface& surface)
-{
-    std::string text;
-    if (surface.always > 0) text += " Every positive gain is stable at " + percent(surface.always) + " of the points.";
-    if (surface.never > 0) text += " No gain is stable at " + percent(surface.never) + ".";
-    if (surface.windows > 0) text += " Windows of gains are stable at " + percent(surface.windows) + ".";
-    return text.empty() ? text : " Where the surface is missing:" + text;
-}
-
-}  // namespace
-
-Figure surface_figure(const GainSurface& found, Units units)
-{
-    CriticalGainSurface surface;
-    surface.title = "Critical position gain k_{cr}(" + found.x.symbol + ", " + found.y.symbol + ")";
-    surface.units = units;
-    surface.x = found.x;
-    surface.y = found.y;
-    surface.z_name = "critical position gain";
-    surface.z_symbol = "k_{cr}";
-    surface.z = found.k_cr;
-    double low = infinity, high = -infinity;
-    for (const double z : surface.z)
-        if (std::isfinite(z)) low = std::min(low, z), high = std::max(high, z);
-    const std::string range = low <= high ? span_text(low, high, Quantity::position_gain, units, from_to)
-                                          : std::string("nowhere on this range");
-    Figure figure;
-    figure.id = chart_id("surface", found.x, found.y);
-    figure.finding =
-        "Surface of the critical position gain over " + found.x.name + " and " + found.y.name + ", " + range;
-    figure.caption = "Least position gain for stable sliding, " + range + "." + where_no_critical_gain(found);
-    figure.picture = std::move(surface);
-    return figure;
 }
 
 }  // namespace stickslip

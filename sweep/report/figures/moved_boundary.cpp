@@ -22,12 +22,25 @@ const char* motion_word(const StableWindows& w)
     return w.stable ? "slides" : "sticks and slips";
 }
 
-bool alike(const std::vector<Interval>& a, const std::vector<Interval>& b)
+constexpr double same = 1e-9, hardly = 1e-3;  // relative changes: rounding, and less than a chart shows
+
+bool close(double x, double y, double within)
 {
-    constexpr double same = 1e-9;
-    const auto close = [](double x, double y) { return x == y || std::abs(x / y - 1) < same; };
+    return x == y || std::abs(x / y - 1) < within;
+}
+
+bool alike(const std::vector<Interval>& a, const std::vector<Interval>& b, double within)
+{
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Interval& x, const Interval& y) {
-        return close(x.low, y.low) && close(x.high, y.high);
+        return close(x.low, y.low, within) && close(x.high, y.high, within);
+    });
+}
+
+/// Over all velocities, a missing end included.
+bool alike(const std::vector<double>& a, const std::vector<double>& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+        return close(x, y, hardly) || (!std::isfinite(x) && !std::isfinite(y));
     });
 }
 
@@ -53,9 +66,11 @@ std::string moved_sentence(const MovedBoundary& moved, Units units, const std::s
     if (!before.known() || !after.known())
         return "The linear theory has no verdict for " +
                std::string(before.known() ? "the joint " + with : "the nominal joint") + ".";
-    if (alike(before.k_p, after.k_p))
+    if (alike(before.k_p, after.k_p, same))
         return "The cause does not act in this theory: the stable gains are unchanged, " + gain_text(before, units) +
                ".";
+    if (alike(before.k_p, after.k_p, hardly))
+        return "The stable gains change by less than " + percent(hardly) + ": " + gain_text(before, units) + ".";
     return "The stable position gains are " + gain_text(before, units) + " in the nominal joint and " +
            gain_text(after, units) + " " + with + "; the joint's own, " +
            with_unit(moved.own_gain, Quantity::position_gain, units) + ", " + motion_word(after) + " " + with + ".";
@@ -86,9 +101,10 @@ Section moved_section(const MovedBoundary& moved, Units units, const std::string
     section.text = sentence + text;
     section.tables.push_back(windows_table(moved.at, moved.velocity, units, with));
     auto lines = ends(moved, with);
-    if (lines.empty()) return section;
+    const bool moves = !alike(moved.before.low, moved.after.low) || !alike(moved.before.high, moved.after.high);
+    if (lines.empty() || !moves) return section;
     LineChart chart;
-    chart.title = "The boundary moves";
+    chart.title = "Boundary of the stable position gains";
     chart.x_label = axis_label(moved.velocity < 0 ? "commanded speed |V_{0}|, backwards" : "commanded velocity V_{0}",
                                Quantity::velocity, units);
     chart.y_label = axis_label("position gain k_{p}", Quantity::position_gain, units);

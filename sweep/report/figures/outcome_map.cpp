@@ -22,7 +22,7 @@ void add_piece(FieldMap::Line& line, std::initializer_list<std::pair<double, dou
 /// The measured rows with one velocity gain, as small crosses and diamonds.
 struct Marks {
     int rows = 0;
-    FieldMap::Line sticks{"measured: stick-slip (×)", {}, {}, false}, slides{"measured: slides (◇)", {}, {}, false};
+    FieldMap::Line sticks{"measured: stick-slip", {}, {}, false}, slides{"measured: slides", {}, {}, false};
 };
 
 Marks marks_of(const gap::Outcomes& o, double k_v, const FieldMap& map)

@@ -18,7 +18,9 @@ Figure vmin_figure(const Joint& joint, const LinearDetails& details)
     chart.y_label = axis_label(joint.control.V0 < 0 ? "V_{min}, backwards" : "V_{min}", Quantity::velocity, units);
     chart.x_log = chart.y_log = true;
     std::string slowest, said;
-    for (const auto& line : details.least_velocities) {
+    auto lines = details.least_velocities;
+    std::ranges::sort(lines, {}, &LeastVelocities::k_v);
+    for (const auto& line : lines) {
         const auto gain = with_unit(line.k_v, Quantity::velocity_gain, units);
         const std::string from = std::isnan(line.here) ? "sliding at the highest velocity searched is unstable"
                                  : line.here == low    ? "all searched velocities are stable"

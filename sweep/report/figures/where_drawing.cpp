@@ -9,7 +9,7 @@ namespace stickslip {
 namespace {
 
 constexpr double drawing_width = 760, width = 720, box_width = 122, box_height = 28, box_left = 2, arrow_length = 16;
-constexpr double bar_height = 12, bars_left = 136, bars_width = 520, row_height = 26;
+constexpr double bar_height = 12, bars_left = 136, bars_width = 520;
 constexpr const char* stages[] = {"command", "effort", "motion"};
 
 class Drawing {
@@ -73,22 +73,7 @@ Figure where_figure(const Diagnosis& d)
         y += box_height;
     }
     finding.back() = '.';
-    y += 28;
-    constexpr std::size_t exclusive = 3;  // stuck, low speed and sliding, which add up to all
-    constexpr double worth_a_bar = 0.1;   // the table lists what holds less
-    for (std::size_t i = 0; i < d.regimes.size(); ++i) {
-        if (i == 0 || i == exclusive) {
-            y += i == 0 ? 0 : 10;
-            w.text(bars_left, y + 6, i == 0 ? "motion error by regime" : "overlapping regimes",
-                   LineDrawing::Anchor::left);
-            y += 18;
-        }
-        if (i >= exclusive && d.regimes[i].share < worth_a_bar) continue;
-        w.text(bars_left - 10, y + bar_height - 1, d.regimes[i].name, LineDrawing::Anchor::right);
-        w.bar(y, d.regimes[i]);
-        y += row_height;
-    }
-    w.drawing.height = y + 6;
+    w.drawing.height = y + 12;
     return {"where-drawn", w.drawing,
             "The input of every stage is the measured signal before it, so that shares do not add errors of other "
             "stages. Bars: shares; whiskers: 95 % intervals.",

@@ -72,11 +72,14 @@ Table comparison_table(const Joint& joint, const LinearDetails& details)
                        words.gains(words.differing(c.allowed_wrongly), Quantity::position_gain),
                        words.gains(words.differing(c.forbidden_needlessly), Quantity::position_gain)}};
     if (!std::isnan(study.velocities.low)) {
-        table.rows.push_back({"slowest smooth velocity", words.velocity(study.velocity_only.least),
-                              words.velocity(study.state_variable.least)});
-        table.rows.push_back({"V_{min}: every faster velocity slides smoothly",
-                              words.velocity(study.velocity_only.all_above),
-                              words.velocity(study.state_variable.all_above)});
+        // at the end of the search, slower ones may be smooth as well
+        const auto least = [&, low = searched_speeds(study).low](double velocity) {
+            return (velocity == low ? "≤ " : "") + words.velocity(velocity);
+        };
+        table.rows.push_back(
+            {"slowest smooth velocity", least(study.velocity_only.least), least(study.state_variable.least)});
+        table.rows.push_back({"V_{min}: every faster velocity slides smoothly", least(study.velocity_only.all_above),
+                              least(study.state_variable.all_above)});
     }
     if (!std::isnan(study.velocity_only.least_force_rate) || !std::isnan(study.state_variable.least_force_rate))
         table.rows.push_back({"least stable rate of force",

@@ -4,8 +4,10 @@
 #include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/thinned_line.h"
+#include "sweep/words/design_text.h"
 #include "sweep/words/gains_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip {
@@ -20,11 +22,23 @@ Table gains_table(const CorrectedGains& g, Units units)
             {name, with_unit(c.k_p / g.per_drive, Quantity::position_gain, units),
              with_unit(c.k_v / g.per_drive, Quantity::velocity_gain, units),
              stable ? (c.margin >= g.right->margin_reach ? "> " : "") + plain_number(c.margin, 3) : "unstable",
-             stable && std::isfinite(c.least_velocity) ? with_unit(c.least_velocity, Quantity::velocity, units) : "–"});
+             stable ? least_velocity_text(c, g.required, g.velocity, units) : "–"});
     };
     add(g.right->feasible ? "recommended" : "nearest to feasible", g.right->best);
     add("as in the joint", g.right->as_joint);
     return table;
+}
+
+/// A second picture of the same would show nothing.
+bool looks_alike(const Slice& a, const Slice& b)
+{
+    constexpr double visible = 0.01;  // of the largest rate
+    double largest = 0;
+    for (const double s : a.abscissa)
+        if (std::isfinite(s)) largest = std::max(largest, std::abs(s));
+    return a.region == b.region && std::ranges::equal(a.abscissa, b.abscissa, [&](double s, double t) {
+               return std::abs(s - t) <= visible * largest || (!std::isfinite(s) && !std::isfinite(t));
+           });
 }
 
 Figure chart_figure(const GainChart& chart, const CorrectedGains& g, Units units, const char* id,
@@ -70,9 +84,11 @@ void add_corrected_gains(Section& section, const CorrectedGains& g, Units units,
          {"joint", "velocity"},
          {{"nominal", settled_text(g.settled_before, units)}, {with, settled_text(g.settled_after, units)}}});
     if (g.right && g.right->decided) section.tables.push_back(gains_table(g, units));
+    const bool changed = !(g.before && g.after && looks_alike(g.before->slice, g.after->slice));
     if (g.before)
         section.figures.push_back(chart_figure(*g.before, g, units, "map-nominal", "nominal joint", "the joint's own"));
-    if (g.after)
+    if (!changed) section.figures.back().caption += " The map of the joint " + with + " looks the same.";
+    if (g.after && changed)
         section.figures.push_back(
             chart_figure(*g.after, g, units, "map-corrected", "joint " + with, "the joint's own"));
     if (g.after && g.right && g.right->feasible) {

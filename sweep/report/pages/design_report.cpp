@@ -138,13 +138,7 @@ Figure front_figure(const DesignAnswer& a, const DesignUnits& u)
 
 Section front_section(const DesignAnswer& a, const DesignUnits& u)
 {
-    Table table;
-    table.title = "The front";
-    table.columns = {"margin", "k_{p}", "k_{v}", "motion noise, rms", "effort noise, rms"};
-    for (const auto& c : a.design.front)
-        table.rows.push_back({plain_number(c.margin), u.stiffness(c.k_p), u.damping(c.k_v), u.position(c.motion_noise),
-                              u.effort(c.effort_noise)});
-    return {"pareto", "Noise against margin", "", {front_figure(a, u)}, {std::move(table)}};
+    return {"pareto", "Noise against margin", "", {front_figure(a, u)}, {front_table(a)}};
 }
 
 }  // namespace

@@ -64,9 +64,13 @@ Section where_section(const Diagnosis& d)
                   "mechanism.",
                   {},
                   {shares_table("By stage of the chain", d.signals)}};
-    if (!d.signals.empty()) where.figures.push_back(where_figure(d));
+    if (!d.signals.empty()) {
+        where.figures.push_back(where_figure(d));
+        where.tables.front().bars.clear();  // the figure has them
+    }
     if (!d.regimes.empty())
-        where.tables.push_back(shares_table("By regime: stuck, low speed and sliding exclude each other", d.regimes));
+        where.tables.push_back(
+            shares_table("Motion error by regime: stuck, low speed and sliding exclude each other", d.regimes));
     return where;
 }
 

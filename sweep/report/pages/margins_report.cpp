@@ -16,7 +16,6 @@ namespace {
 /// How decay turns into growth along each parameter that has a boundary.
 Figure growth_figure(const MarginsAnswer& a)
 {
-    const Units units = units_of(a.joint);
     DetailedChart chart;
     chart.title = "Decay and growth while one parameter moves";
     chart.x_label = {"parameter, as a multiple of its value"};
@@ -26,7 +25,7 @@ Figure growth_figure(const MarginsAnswer& a)
     for (std::size_t i = 0; i < a.alone.size(); ++i) {
         if (!a.alone[i].found) continue;
         const auto& move = a.alone[i].moves[0];
-        const auto name = coordinate_text(a.alone_of[i], units);
+        const auto name = alone_name(a, i);
         chart.lines.push_back({name, a.growth->lines[i].x, a.growth->lines[i].y});
         crossings +=
             (crossings.empty() ? "" : ", ") + plain_number(move.to / move.from) + " times the value of " + name;

@@ -1,13 +1,17 @@
 #include "sweep/report/pages/outcome_report.h"
 
+#include "analysis/results/text.h"
 #include "sweep/report/figures/moved_boundary.h"
 #include "sweep/report/figures/outcome_map.h"
 #include "sweep/report/pages/outcome_tables.h"
 #include "sweep/words/diagnosis_text.h"
+#include "sweep/words/effect_words.h"
 #include "sweep/words/outcome_text.h"
 #include "sweep/words/signature_text.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace stickslip {
 namespace {
@@ -23,8 +27,8 @@ std::vector<Headline> headlines(const OutcomeAnswer& a)
     const LawFit& best = a.laws.front();
     if (d.verdict == Verdict::gap) {
         list.push_back({Tone::warning, std::string(best.rival->law),
-                        "cause: the law that explains the rows (" + std::string(best.rival->effect) + ")"});
-        list.push_back({Tone::neutral, fmt::format("{:.0f} %", 100 * best.posterior), "how sure: its probability"});
+                        "cause: the law that explains the rows (" + effect_words(best.rival->effect) + ")"});
+        list.push_back({Tone::neutral, percent(best.posterior), "how sure: its probability"});
     }
     list.push_back(
         {Tone::neutral, fmt::format("{} → {} of {}", a.nominal.misjudged, best.misjudged, a.outcomes.size()),
@@ -33,7 +37,7 @@ std::vector<Headline> headlines(const OutcomeAnswer& a)
     for (const auto& s : d.regimes)
         if (!worst || s.share > worst->share) worst = &s;
     if (worst)
-        list.push_back({Tone::neutral, worst->name,
+        list.push_back({Tone::neutral, third_text(worst->name, a),
                         fmt::format("location: {:.0f} % of what the nominal joint gets wrong", 100 * worst->share)});
     return list;
 }
@@ -62,7 +66,9 @@ Report outcome_report(const OutcomeAnswer& a, const OutcomeMaps& maps, const Joi
     r.headlines = headlines(a);
 
     Section map{"map", "The rows on the map", "", {}, {}};
-    for (const auto& found : maps.maps) map.figures.push_back(outcome_map(a, found, map.figures.size() + 1));
+    auto ascending = maps.maps;
+    std::ranges::sort(ascending, {}, &OutcomeMap::k_v);
+    for (const auto& found : ascending) map.figures.push_back(outcome_map(a, found, map.figures.size() + 1));
     if (maps.velocity_gains > maps.maps.size())
         map.text = fmt::format("The {} values of k_{{v}}, of {}, whose rows show most of the boundary.",
                                maps.maps.size(), maps.velocity_gains);

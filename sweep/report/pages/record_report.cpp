@@ -71,7 +71,10 @@ Figure effort_figure(const FollowedReference& r, const Joint& joint)
             "What the controller sends to the motor, in the unit of its drive signal; below, what the drive "
             "reports.");
     }
-    if (!r.effort_measured.empty()) chart.lines.push_back({"measured", r.time, r.effort_measured});
+    if (!r.effort_measured.empty()) {  // broad, so that the command is seen on it
+        chart.lines.insert(chart.lines.begin(), {"measured", r.time, r.effort_measured});
+        chart.lines.front().wide = true;
+    }
     return line_figure(
         "effort", std::move(chart), "The command reaches " + with_unit(largest(command), Quantity::effort, units) + ".",
         "What the controller commands, times the effort per unit of the drive signal, and what the drive "

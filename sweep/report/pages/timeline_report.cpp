@@ -74,7 +74,7 @@ Figure gap_figure(const Timeline& t)
 {
     DetailedChart chart;
     chart.title = "Gap over time";
-    chart.x_label = days_label(t), chart.y_label = {"gap per noise floor", "1"};
+    chart.x_label = days_label(t), chart.y_label = {"gap, × the noise floor"};
     Line documented{"as documented", days_of(t), {}}, with{"with the named cause", days_of(t), {}, true};
     for (const auto& run : t.runs) {
         const auto& facts = run.facts;
@@ -93,19 +93,25 @@ Figure gap_figure(const Timeline& t)
 Figure number_figure(const Timeline& t, const NumberSeries& series, std::size_t index)
 {
     DetailedChart chart;
-    chart.title = series.name;
+    const std::string name = parameter_words(series.name);
+    chart.title = name;
     chart.x_label = days_label(t);
-    chart.y_label = {series.name, series.unit == "1" ? "" : series.unit};
+    chart.y_label = {name, series.unit == "1" ? "" : series.unit};
     constexpr double errors_of_a_95_percent_interval = 1.96;
-    Line low{"95 % interval, lower end", days_of(t), {}, true}, high{"upper end", days_of(t), {}, true},
-        value{"value", days_of(t), series.value};
+    const auto days = days_of(t);
+    Line value{"value", days, series.value}, bars{"95 % interval", {}, {}};
+    if (series.found == 1) value.look = Line::Look::points;
     for (std::size_t i = 0; i < series.value.size(); ++i) {
+        if (!std::isfinite(series.value[i])) continue;
         const double half = errors_of_a_95_percent_interval * series.standard_error[i];
-        low.y.push_back(series.value[i] - half), high.y.push_back(series.value[i] + half);
+        bars.x.insert(bars.x.end(), {days[i], days[i], days[i]});
+        bars.y.insert(bars.y.end(), {series.value[i] - half, series.value[i] + half, missing});
     }
-    chart.lines = {value, low, high};
-    return {fmt::format("number-{}", index + 1), chart, "Runs that do not name this cause have no value here.",
-            fmt::format("{} in {} of {}", series.name, series.found, counted(t.runs.size(), "run"))};
+    bars.look = Line::Look::rule;
+    chart.lines = {value, bars};
+    return {fmt::format("number-{}", index + 1), chart,
+            "Bars: 95 % intervals. Runs that do not name this cause have no value here.",
+            fmt::format("{} in {} of {}", name, series.found, counted(t.runs.size(), "run"))};
 }
 
 /// Of a cause's parameters and the numbers of the data sheet that they change, the latter.
@@ -115,6 +121,19 @@ std::vector<NumberSeries> drawn_numbers(const Timeline& t)
     for (const auto& series : t.numbers)
         if (series.of == FoundNumber::Of::sheet) sheet.push_back(series);
     return sheet.empty() ? t.numbers : sheet;
+}
+
+/// A date on one line: with hyphens that do not break.
+std::string unbroken(std::string date)
+{
+    for (auto at = date.find('-'); at != std::string::npos; at = date.find('-', at + 3)) date.replace(at, 1, "‑");
+    return date;
+}
+
+/// The cause has a column of its own.
+std::string outcome_word(const DiagnosisFacts& facts)
+{
+    return facts.verdict == Verdict::gap && !facts.interrupted ? "gap" : outcome_name(facts);
 }
 
 Table runs_table(const Timeline& t, CellMarks& marks)
@@ -131,7 +150,7 @@ Table runs_table(const Timeline& t, CellMarks& marks)
                 if (change.of != FoundNumber::Of::correction && is_reported(change, t.steps[i - 1]) &&
                     change.moved(standard_errors_of_a_move))
                     moved += (moved.empty() ? "" : "; ") + change_text(change);
-        table.rows.push_back({date_text(t.runs[i].at), name_of(facts.verdict), gap_text(facts.overall.before),
+        table.rows.push_back({unbroken(date_text(t.runs[i].at)), outcome_word(facts), gap_text(facts.overall.before),
                               facts.causes.empty() ? "–" : gap_text(facts.overall.after),
                               facts.causes.empty() ? "–" : together(facts.causes), moved.empty() ? "–" : moved});
         marks.links.push_back(t.runs[i].page);
@@ -164,7 +183,7 @@ Report comparison_report(const DiagnosisComparison& c, Provenance provenance)
         if (change.in_both() && change.of != FoundNumber::Of::correction && is_reported(change, c)) {
             r.headlines.push_back({change.moved(standard_errors_of_a_move) ? Tone::warning : Tone::neutral,
                                    plain_number(std::abs(change.standard_errors), 3),
-                                   "standard errors between the two values of " + change.name});
+                                   "standard errors between the two values of " + parameter_words(change.name)});
             break;
         }
     r.sections.push_back({"numbers",
@@ -199,8 +218,10 @@ TimelinePage timeline_report(const Timeline& t, Provenance provenance)
         {tone_of(t.runs.front().facts), gap_text(t.runs.front().facts.overall.before),
          "× the noise floor in the first run: " + outcome_name(t.runs.front().facts)},
         {tone_of(last), gap_text(last.overall.before), "× the noise floor in the last run: " + outcome_name(last)}};
-    Section runs{"runs", "Runs", "The date of a run links to its page.", {gap_figure(t)}, {}};
+    Section runs{"runs", "Runs", "", {gap_figure(t)}, {}};
     runs.tables.push_back(runs_table(t, page.marks["Runs"]));
+    if (std::ranges::any_of(t.runs, [](const auto& run) { return !run.page.empty(); }))
+        runs.text = "The date of a run links to its page.";
     r.sections.push_back(std::move(runs));
     Section numbers{"numbers", "Parameters of the causes", "", {}, {}};
     const auto drawn = drawn_numbers(t);

@@ -14,3 +14,9 @@ TEST_CASE("lines to paste have the digits that somebody types, and the documente
           "kind = \"dc-motor\"   # documented: \"effort\"\n"
           "k_t = inf   # not in the documented file\n");
 }
+
+TEST_CASE("a change below the digits that anybody types is no line", "[files]")
+{
+    CHECK(stickslip::changed_lines("[joint]\ninertia = 1.1   # kg·m²\n",
+                                   "[joint]\ninertia = 1.0999999165818268   # kg·m²\n") == "");
+}

@@ -163,7 +163,7 @@ void scale_found_limit(std::vector<Case>& cases, double documented, double by, A
     const auto found = std::ranges::find(result.findings, "gain-k_i.integral_limit", &AuditFinding::parameter);
     if (found == result.findings.end()) return;
     found->value *= by;
-    const bool same = std::abs(found->value - documented) < policy::digits * documented;
+    const bool same = std::abs(found->value - documented) < policy::flagged_gain * documented;
     for (auto& c : cases) c.joint.control.integral_limit = same ? documented : found->value;
     if (same) result.findings.erase(found);
 }
@@ -179,8 +179,11 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     const double before = fit_terms(as_documented, {}).misfit;
     const double with_gains = plain ? fit_terms(as_documented, {k_p_term, k_v_term}).misfit : before;
     if (plain && std::min(before, with_gains) < policy::digits) return false;
+    // where logged velocities stand in for the controller's own, its filter acts in lost rows alone
+    const bool believed_velocities =
+        std::ranges::any_of(cases, [](const Case& c) { return c.ticks.unseen_between() && c.ticks.has_velocity; });
     const bool filtered = gains_of(documented).k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact &&
-                          !result.filter_seen;
+                          !result.filter_seen && !believed_velocities;
     if (!plain && filtered && before > policy::digits) find_filter(cases, limit, result);
     if (as_documented.integrates && left_by_one(cases, limit) > policy::digits)
         find_integral_limit(cases, limit, result);

@@ -1,5 +1,6 @@
 #include "analysis/diagnosis/verdict/find_causes.h"
 
+#include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/heldout.h"
 #include "analysis/diagnosis/policy/ladder.h"
@@ -137,6 +138,18 @@ bool accepted(const Decision& d)
     return d.named && d.winner->accepted;
 }
 
+/// Whether another cause makes the very motion of the winner but for a number that documents have a little wrong, and
+/// so is no rival of it as long as nothing is corrected: gravity has its amplitude beside an angle that an encoder's
+/// zero may make as well.
+bool has_a_double(const Findings& f)
+{
+    const Decision& d = f.decision;
+    return std::ranges::any_of(f.singles, [&](const Attribution& s) {
+        return &s != d.winner && std::ranges::count(d.ambiguous, &s) == 0 &&
+               makes_the_motion_of(s.candidate, d.winner->candidate);
+    });
+}
+
 }  // namespace
 
 void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& meter, const ParallelFor& parallel,
@@ -157,7 +170,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& m
         confirm(fit, f.pairs);
     }
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
-    if (!accepted(f.decision)) {
+    if (!accepted(f.decision) || has_a_double(f)) {
         meter.begin(DiagnosisStage::correcting_numbers);
         LadderSearch search(fit, f.singles, rules);
         const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };

@@ -75,8 +75,7 @@ int check(const Options& options, const Invocation& invocation)
     const auto loop = verdict_loop(design_joint(spec));
     if (const auto text = loop_text(loop); !text.empty()) fmt::print("{}\n", text.substr(1));
     if (!options.directory.empty()) {
-        auto report =
-            with_version(check_report(spec, deviations, changed, loop, design_lost, invocation.command));
+        auto report = with_version(check_report(spec, deviations, changed, loop, design_lost, invocation.command));
         if (left_out) tell_left_out(*left_out, left_out->growth < 0, report);
         fmt::print("report: {}\n", write_report(report, options.directory).string());
     }

@@ -88,10 +88,19 @@ std::string heading_of(const Diagnosis& d, const Joint& before, const Joint& aft
                        whole_percent(sure), text);
 }
 
+/// Whether the measured effort drove the joint because no gains of the documented controller make it.
+bool another_controller(const Diagnosis& d)
+{
+    return std::ranges::any_of(d.reasons, [](const Note& n) { return n.code == Note::Code::no_such_controller; });
+}
+
 Headline what_card(const Diagnosis& d)
 {
     if (d.verdict == Verdict::no_gap)
-        return {Tone::good, "none", "cause: the nominal joint predicts the records to within noise"};
+        return another_controller(d)
+                   ? Headline{Tone::warning, "another controller",
+                              "cause: the effort is not that of the documented controller; the mechanism has no gap"}
+                   : Headline{Tone::good, "none", "cause: the nominal joint predicts the records to within noise"};
     if (d.interrupted) return {Tone::neutral, "not known", "cause: the search was interrupted; no cause is excluded"};
     if (d.verdict == Verdict::unknown || d.effects.empty())
         return {Tone::bad, "not in the catalogue", "cause: no effect of the catalogue explains the gap"};
@@ -106,7 +115,8 @@ Headline what_card(const Diagnosis& d)
 
 Headline where_card(const Diagnosis& d)
 {
-    if (d.verdict == Verdict::no_gap) return {Tone::good, "none", "location: no stage exceeds its noise"};
+    if (d.verdict == Verdict::no_gap && !another_controller(d))
+        return {Tone::good, "none", "location: no stage exceeds its noise"};
     constexpr std::size_t exclusive = 3;  // stuck, low speed, sliding
     const Share* s = largest(d.signals, d.signals.size());
     const Share* r = largest(d.regimes, exclusive);
@@ -189,6 +199,9 @@ std::string diagnosis_sentence(const Diagnosis& d)
             return text + ".";
         }
         case Verdict::no_gap:
+            if (another_controller(d))
+                return "No gap in the mechanism: driven by the measured effort, the nominal joint predicts the records "
+                       "to within noise. Another controller than the documented one made that effort.";
             return "No gap: the nominal joint predicts the records to within noise.";
         case Verdict::unknown:
             if (d.interrupted)

@@ -168,6 +168,14 @@ void scale_found_limit(std::vector<Case>& cases, double documented, double by, A
     if (same) result.findings.erase(found);
 }
 
+/// Where logged velocities stand in for the controller's own, its filter acts in lost rows alone.
+bool shows_filter(const std::vector<Case>& cases)
+{
+    const Control& c = cases[0].joint.control;
+    return gains_of(c).k_v != 0 && c.velocity_estimate.form != EstimateForm::exact &&
+           std::ranges::none_of(cases, [](const Case& k) { return k.ticks.unseen_between() && k.ticks.has_velocity; });
+}
+
 }  // namespace
 
 bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
@@ -179,11 +187,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     const double before = fit_terms(as_documented, {}).misfit;
     const double with_gains = plain ? fit_terms(as_documented, {k_p_term, k_v_term}).misfit : before;
     if (plain && std::min(before, with_gains) < policy::digits) return false;
-    // where logged velocities stand in for the controller's own, its filter acts in lost rows alone
-    const bool believed_velocities =
-        std::ranges::any_of(cases, [](const Case& c) { return c.ticks.unseen_between() && c.ticks.has_velocity; });
-    const bool filtered = gains_of(documented).k_v != 0 && documented.velocity_estimate.form != EstimateForm::exact &&
-                          !result.filter_seen && !believed_velocities;
+    const bool filtered = shows_filter(cases) && !result.filter_seen;
     if (!plain && filtered && before > policy::digits) find_filter(cases, limit, result);
     if (as_documented.integrates && left_by_one(cases, limit) > policy::digits)
         find_integral_limit(cases, limit, result);

@@ -3,6 +3,35 @@
 #include <fmt/format.h>
 
 namespace stickslip {
+namespace {
+
+/// Predicate and reason.
+const char* consequence(NotTakenReason reason)
+{
+    switch (reason) {
+        case NotTakenReason::spring:
+            return "pulls the joint to a position; the joint file has no spring to the ground, and this one is not in "
+                   "it";
+        case NotTakenReason::target:
+            return "filters or delays its target, not the feedback; the joint file has neither, and both are not in "
+                   "it";
+        case NotTakenReason::coupling:
+            return "couples joints; the joint moves against its force, which is not in the joint file";
+        case NotTakenReason::actuator:
+            return "acts on the joint, and the joint file cannot express how; it is not in it";
+        case NotTakenReason::limit:
+            return "limits its own part of the effort, to which another servo adds; the limit is not in the joint file";
+        case NotTakenReason::nonlinear:
+            return "damps also with the square or cube of velocity; the joint file has the linear part alone";
+        case NotTakenReason::medium:
+            return "puts the robot into a medium; its drag and lift are not in the joint file";
+        case NotTakenReason::safety:
+            return "limits velocity and effort near the ends of travel; the limits are not in the joint file";
+    }
+    return "";
+}
+
+}  // namespace
 
 std::string impossible_inertia_text(const ImpossibleInertia& of)
 {
@@ -22,6 +51,13 @@ std::string suspected_unit_text(const SuspectedUnit& of)
             of.place, of.of, of.value);
     return fmt::format("{}: {} may turn by {:.4g} rad between its limits: angles are in radians.", of.place, of.of,
                        of.value);
+}
+
+std::string not_taken_text(const NotTaken& of)
+{
+    const std::string name = of.name.empty() ? "" : " \"" + of.name + "\"";
+    const std::string with = of.attributes.empty() ? "" : " (" + of.attributes + ")";
+    return fmt::format("{}: <{}{}>{} {}.", of.place, of.element, name, with, consequence(of.reason));
 }
 
 std::string beyond_limits_text(const PoseBeyondLimits& of)

@@ -78,6 +78,29 @@ TEST_CASE("export writes text for each simulator, and what is lost to standard e
               .exit_code == 0);
 }
 
+TEST_CASE("the transmission of an exported joint does not come back by import, which says so")
+{
+    const TemporaryDirectory room;
+    const std::string two = (room / "joint.toml").string(), robot = (room / "elbow.xml").string();
+    CHECK(stickslip("new joint --motion revolute --model two-mass --law coulomb-viscous --plain -o " + two).exit_code ==
+          0);
+    CHECK(stickslip("export " + two + " --to mjcf --name elbow > " + robot).exit_code == 0);
+    for (const std::string joint : {"elbow", "elbow_motor"}) {
+        const auto json =
+            nlohmann::json::parse(stickslip("import " + robot + " --joint " + joint + " --json 2>/dev/null").output);
+        REQUIRE(json.at("not_taken").size() == 1);
+        const auto& tendon = json.at("not_taken").at(0);
+        CHECK(tendon.at("reason") == "coupling");
+        CHECK(tendon.at("element") == "fixed");
+        CHECK(tendon.at("name") == "elbow_transmission");
+        CHECK_THAT(tendon.at("attributes").get<std::string>(), Catch::Contains("stiffness=\""));
+        CHECK_THAT(tendon.at("place").get<std::string>(), Catch::StartsWith(robot + ":"));
+        CHECK_THAT(json.at("text").get<std::string>(), Catch::Contains("<fixed \"elbow_transmission\">"));
+        CHECK_THAT(stickslip("import " + robot + " --joint " + joint + " 2>&1 >/dev/null").output,
+                   Catch::Contains("note: ") && Catch::Contains("couples joints"));
+    }
+}
+
 TEST_CASE("what is exported comes back by import")
 {
     const TemporaryDirectory room;

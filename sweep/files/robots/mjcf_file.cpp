@@ -1,10 +1,10 @@
 // MJCF: the tree of bodies, joints, actuators and equalities. https://mujoco.readthedocs.io/en/stable/XMLreference.html
+#include "sweep/files/robots/mjcf_forces.h"
 #include "sweep/files/robots/mjcf_inertia.h"
 #include "sweep/files/robots/robot_file.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace stickslip::files {
 namespace {
@@ -16,20 +16,28 @@ class MjcfReader {
     Robot read()
     {
         const auto root = input_.file.root();
-        for (const auto& option : root.children("option"))
-            robot_.gravity = input_.file.vector(option, "gravity", robot_.gravity);
+        for (const auto& option : root.children("option")) read_option(option);
+        if (!input_.acts("gravity")) robot_.gravity.setZero();
         std::vector<SolidPart> of_the_world;
         for (const auto& world : root.children("worldbody"))
             contents(world, -1, "", Eigen::Isometry3d::Identity(), of_the_world);
         if (robot_.bodies.empty()) input_.file.fail(root, "has no <worldbody> with bodies");
-        for (const auto& list : root.children("actuator"))
-            for (const auto& actuator : list.children()) read_actuator(actuator);
+        read_tendons(input_, names_, robot_);
+        read_actuators(input_, names_, robot_);
         for (const auto& list : root.children("equality"))
             for (const auto& equality : list.children()) read_equality(equality);
         return std::move(robot_);
     }
 
   private:
+    void read_option(const pugi::xml_node& option)
+    {
+        robot_.gravity = input_.file.vector(option, "gravity", robot_.gravity);
+        if (!any_number(input_, option, "density") && !any_number(input_, option, "viscosity")) return;
+        robot_.not_taken.push_back(not_taken(input_, NotTakenReason::medium, option, {"density", "viscosity", "wind"}));
+        robot_.not_taken.back().every_joint = true;
+    }
+
     /// Bodies, joints and geoms under one element, all in `frame` of the body (<frame> elements nest).
     void contents(const pugi::xml_node& node, int body, const std::string& childclass, const Eigen::Isometry3d& frame,
                   std::vector<SolidPart>& geoms)
@@ -42,8 +50,12 @@ class MjcfReader {
                 if (body >= 0) add_joint(child, body, childclass, frame);
             } else if (name == "geom" && body >= 0) {
                 input_.apply_defaults(child, childclass);
-                if (!child.parent().child("inertial") || input_.inertia_from_geoms == "true")
+                const double group = input_.file.number(child, "group", 0);
+                const bool counts = group >= input_.first_group && group <= input_.last_group;
+                if (counts && (!child.parent().child("inertial") || input_.inertia_from_geoms == "true"))
                     geoms.push_back(placed(geom_part(input_, child), frame));
+            } else if (name == "site") {
+                names_.sites[child.attribute("name").as_string()] = body;
             } else if (name == "frame") {
                 const std::string own = child.attribute("childclass").as_string(childclass.c_str());
                 contents(child, body, own, frame * input_.frame(child), geoms);
@@ -61,7 +73,8 @@ class MjcfReader {
         body.parent = parent;
         body.place = input_.file.place(node);
         body.frame = frame * input_.frame(node);
-        body_of_[node.attribute("name").as_string()] = index;
+        body.held_weight = input_.file.number(node, "gravcomp", 0);
+        names_.bodies[node.attribute("name").as_string()] = index;
         robot_.bodies.push_back(body);
         std::vector<SolidPart> parts;
         const auto inertial = node.child("inertial");
@@ -97,76 +110,80 @@ class MjcfReader {
             return values.empty() ? 0.0 : values[0];
         };
         joint.reference = coordinate(first("ref"));
-        joint.damping = first("damping");
-        joint.friction = first("frictionloss");
         joint.armature = first("armature");
-        const std::string limited = node.attribute("limited").as_string("auto");
+        if (input_.acts("frictionloss")) joint.friction = first("frictionloss");
+        const int index = static_cast<int>(robot_.joints.size());
+        read_passive(node, index, joint);
         if (const auto range = input_.file.numbers(node, "range");
-            range.size() == 2 && (limited == "true" || (limited == "auto" && input_.autolimits))) {
+            range.size() == 2 && input_.limited(node.attribute("limited").as_string("auto"))) {
             joint.low = coordinate(range[0]);
             joint.high = coordinate(range[1]);
         }
-        if (const auto range = input_.file.numbers(node, "actuatorfrcrange"); range.size() == 2)
+        if (const auto range = input_.file.numbers(node, "actuatorfrcrange");
+            range.size() == 2 && input_.limited(node.attribute("actuatorfrclimited").as_string("auto")))
             joint.effort = std::max(std::abs(range[0]), std::abs(range[1]));
-        robot_.bodies[static_cast<std::size_t>(body)].joints.push_back(static_cast<int>(robot_.joints.size()));
+        robot_.bodies[static_cast<std::size_t>(body)].joints.push_back(index);
         robot_.joints.push_back(joint);
     }
 
-    void read_actuator(pugi::xml_node node)
+    /// Spring and damper to the parent, and what of them a joint of ours does not have.
+    void read_passive(const pugi::xml_node& node, int index, RobotJoint& joint)
     {
-        const std::string name = node.attribute("joint").as_string(), kind = node.name();
-        for (auto& joint : robot_.joints) {
-            if (name.empty() || joint.name != name) continue;
-            input_.apply_defaults(node, "");
-            const auto first = [&](const char* key, double standard) {
-                const auto values = input_.file.numbers(node, key);
-                return values.empty() ? standard : values[0];
-            };
-            joint.driven = true;
-            joint.gear = first("gear", 1);
-            const double gear = joint.gear * joint.gear;
-            if (kind == "position") {
-                joint.k_p = gear * first("kp", 1);
-                if (!node.attribute("dampratio")) joint.k_v = gear * first("kv", 0);
-            }
-            if (kind == "velocity") joint.k_v = gear * first("kv", 1);
-            const auto bias = input_.file.numbers(node, "biasprm"), gain = input_.file.numbers(node, "gainprm");
-            if (kind == "general" && bias.size() > 1 && !gain.empty() && gain[0] == -bias[1]) {
-                joint.k_p = gear * gain[0];
-                joint.k_v = bias.size() > 2 ? -gear * bias[2] : 0;
-            }
-            if (const auto range = input_.file.numbers(node, "forcerange"); range.size() == 2)
-                joint.effort =
-                    std::min(joint.effort, std::abs(joint.gear) * std::max(std::abs(range[0]), std::abs(range[1])));
-        }
+        const auto leave_out = [&](NotTakenReason reason, const std::vector<const char*>& attributes) {
+            robot_.not_taken.push_back(not_taken(input_, reason, node, attributes));
+            robot_.not_taken.back().joints = {index};
+        };
+        const auto both = input_.file.numbers(node, "springdamper"), damping = input_.file.numbers(node, "damping");
+        const bool by_time = both.size() == 2 && both[0] > 0 && both[1] > 0;  // in the place of both coefficients
+        if (input_.acts("spring") && (by_time || any_number(input_, node, "stiffness")))
+            leave_out(NotTakenReason::spring, {"stiffness", "springref", "springdamper"});
+        if (by_time || damping.empty() || !input_.acts("damper")) return;
+        joint.damping = damping[0];
+        if (std::any_of(damping.begin() + 1, damping.end(), [](double c) { return c != 0; }))
+            leave_out(NotTakenReason::nonlinear, {"damping"});
     }
 
     void read_equality(pugi::xml_node node)
     {
-        input_.apply_defaults(node, "");
+        input_.apply_defaults(node, "", "equality");
         if (!node.attribute("active").as_bool(true)) return;
         const std::string kind = node.name();
         RobotClosure closure;
         closure.place = input_.file.place(node);
         closure.what = "<" + kind + "> of <equality>";
-        const auto body = [&](const char* key) {
-            const auto found = body_of_.find(node.attribute(key).as_string());
-            return found == body_of_.end() ? -1 : found->second;
+        const auto named = [&](const std::map<std::string, int>& of, const char* key) {
+            const auto found = of.find(node.attribute(key).as_string());
+            return found == of.end() ? -1 : found->second;
         };
-        const auto joint = [&](const char* key) {
-            const std::string name = node.attribute(key).as_string();
-            for (std::size_t j = 0; j < robot_.joints.size(); ++j)
-                if (!name.empty() && robot_.joints[j].name == name) return static_cast<int>(j);
-            return -1;
-        };
-        if (kind == "connect" || kind == "weld") closure.a = body("body1"), closure.b = body("body2");
+        const auto joint = [&](const char* key) { return index_of_joint(robot_, node.attribute(key).as_string()); };
+        if (kind == "connect" || kind == "weld") {
+            closure.a = std::max(named(names_.bodies, "body1"), named(names_.sites, "site1"));
+            closure.b = std::max(named(names_.bodies, "body2"), named(names_.sites, "site2"));
+        }
         if (kind == "joint") closure.first = joint("joint1"), closure.second = joint("joint2");
+        if (kind == "tendon") return tie_tendons(node, closure);
         if (std::max({closure.a, closure.b, closure.first, closure.second}) >= 0) robot_.closures.push_back(closure);
+    }
+
+    /// A sum of coordinates that is tied leaves none of its joints free.
+    void tie_tendons(const pugi::xml_node& node, RobotClosure closure)
+    {
+        for (const char* key : {"tendon1", "tendon2"}) {
+            const auto found = names_.tendons.find(node.attribute(key).as_string());
+            if (found == names_.tendons.end()) continue;
+            for (const int joint : found->second.joints) {
+                closure.first = joint;
+                robot_.closures.push_back(closure);
+            }
+            if (!found->second.spatial) continue;
+            robot_.not_taken.push_back(not_taken(input_, NotTakenReason::coupling, node, {"tendon1", "tendon2"}));
+            robot_.not_taken.back().every_joint = true;
+        }
     }
 
     MjcfInput input_;
     Robot robot_;
-    std::map<std::string, int> body_of_;
+    MjcfNames names_;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ MjcfInput::MjcfInput(const std::filesystem::path& path) : file(path)
 {
     include(file.root(), path.parent_path(), 0);
     read_compiler();
+    read_flags();
     for (const auto& element : file.root().children("default")) collect(element, "");
     for (const char* element : {"deformable", "composite"})
         if (const auto node = file.root().child(element)) file.fail(node, "is not supported");
@@ -47,12 +48,26 @@ void MjcfInput::read_compiler()
         sequence_ = compiler.attribute("eulerseq").as_string(sequence_.c_str());
         autolimits = compiler.attribute("autolimits").as_bool(autolimits);
         inertia_from_geoms = compiler.attribute("inertiafromgeom").as_string(inertia_from_geoms.c_str());
+        if (const auto groups = file.numbers(compiler, "inertiagrouprange"); groups.size() == 2)
+            first_group = groups[0], last_group = groups[1];
         for (const char* name : {"settotalmass", "boundmass", "boundinertia", "balanceinertia"})
             if (compiler.attribute(name).as_double(0) > 0 || compiler.attribute(name).as_bool(false))
                 file.fail(compiler, std::string(name) + " changes masses and is not supported; state the inertias");
         if (compiler.attribute("coordinate").as_string("local") != std::string("local"))
             file.fail(compiler, "coordinate is not \"local\"");
     }
+}
+
+void MjcfInput::read_flags()
+{
+    for (const auto& option : file.root().children("option"))
+        for (const auto& flag : option.children("flag"))
+            for (const auto& part : flag.attributes()) {
+                if (std::string(part.value()) == "disable")
+                    disabled_.insert(part.name());
+                else
+                    disabled_.erase(part.name());
+            }
 }
 
 void MjcfInput::collect(const pugi::xml_node& element, const std::string& parent)
@@ -63,19 +78,30 @@ void MjcfInput::collect(const pugi::xml_node& element, const std::string& parent
     for (const auto& child : element.children("default")) collect(child, name);
 }
 
-void MjcfInput::apply_defaults(pugi::xml_node node, const std::string& childclass) const
+std::vector<pugi::xml_node> MjcfInput::defaults_of(const pugi::xml_node& node, const std::string& childclass) const
 {
     const std::string given = node.attribute("class").as_string(childclass.empty() ? "main" : childclass.c_str());
     if (!classes_.count(given) && given != "main")
         file.fail(node, "names the default class \"" + given + "\", which does not exist");
+    std::vector<pugi::xml_node> defaults;
     for (std::string name = given; !name.empty();) {
-        const auto found = classes_.find(name);
-        if (found != classes_.end())
-            for (const auto& attribute : found->second.child(node.name()).attributes())
-                if (!node.attribute(attribute.name())) node.append_copy(attribute);
+        if (const auto found = classes_.find(name); found != classes_.end()) defaults.push_back(found->second);
         const auto parent = parents_.find(name);
         name = parent == parents_.end() ? "" : parent->second;
     }
+    return defaults;
+}
+
+void MjcfInput::apply_defaults(pugi::xml_node node, const std::string& childclass) const
+{
+    apply_defaults(node, childclass, node.name());
+}
+
+void MjcfInput::apply_defaults(pugi::xml_node node, const std::string& childclass, const char* as) const
+{
+    for (const auto& defaults : defaults_of(node, childclass))
+        for (const auto& attribute : defaults.child(as).attributes())
+            if (!node.attribute(attribute.name())) node.append_copy(attribute);
 }
 
 double MjcfInput::angle(double written) const

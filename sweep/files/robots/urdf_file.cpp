@@ -159,6 +159,46 @@ void refuse_xacro(const XmlFile& file)
             file.fail(node, "is xacro's; run xacro on this file first");
 }
 
+NotTaken left_out(const XmlFile& file, NotTakenReason reason, const pugi::xml_node& node, int joint)
+{
+    NotTaken element;
+    element.reason = reason;
+    element.place = file.place(node);
+    element.element = node.name();
+    element.joints = {joint};
+    return element;
+}
+
+void add_attribute(NotTaken& element, const char* name, const char* value)
+{
+    if (!element.attributes.empty()) element.attributes += ' ';
+    element.attributes += std::string(name) + "=\"" + value + "\"";
+}
+
+/// What acts on a joint and has no place in a joint of ours: limits near the ends of travel, springs of Gazebo.
+void read_what_is_left_out(const XmlFile& file, Robot& robot)
+{
+    for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+        const auto& name = robot.joints[j].name;
+        const int index = static_cast<int>(j);
+        const auto node = file.root().find_child_by_attribute("joint", "name", name.c_str());
+        if (const auto safety = node.child("safety_controller")) {
+            auto element = left_out(file, NotTakenReason::safety, safety, index);
+            for (const auto& attribute : safety.attributes())
+                add_attribute(element, attribute.name(), attribute.value());
+            robot.not_taken.push_back(element);
+        }
+        for (const auto& gazebo : file.root().children("gazebo")) {
+            const auto spring = gazebo.child("springStiffness");
+            if (gazebo.attribute("reference").as_string() != name || spring.text().as_double() == 0) continue;
+            auto element = left_out(file, NotTakenReason::spring, spring, index);
+            for (const char* part : {"springStiffness", "springReference"})
+                if (const auto value = gazebo.child(part)) add_attribute(element, part, value.text().as_string());
+            robot.not_taken.push_back(element);
+        }
+    }
+}
+
 /// <transmission>: how many turns the motor makes a turn of the joint.
 void read_gears(const XmlFile& file, Robot& robot)
 {
@@ -180,6 +220,7 @@ Robot read_urdf(const std::filesystem::path& path)
     TreeBuilder(file, robot).read();
     read_mimics(file, robot);
     read_gears(file, robot);
+    read_what_is_left_out(file, robot);
     return robot;
 }
 

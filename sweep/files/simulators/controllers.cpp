@@ -12,8 +12,9 @@ std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
 {
     const auto& j = a.joint;
     const auto f = j.friction();
-    const bool delayed = a.delay_steps > 0, dc = j.no_load_speed < infinity && !delayed;
-    const std::string kind = delayed ? "DelayedPDActuatorCfg" : dc ? "DCMotorCfg" : "ImplicitActuatorCfg";
+    // a DC motor too: its back-EMF is in viscous_friction, and DCMotorCfg would take it off the limit once more
+    const bool delayed = a.delay_steps > 0;
+    const std::string kind = delayed ? "DelayedPDActuatorCfg" : "ImplicitActuatorCfg";
     std::string text = fmt::format(
         "# Isaac Lab 2.3 with Isaac Sim 5: friction is an effort [{0}]. For steps of {6:g} s (SimulationCfg.dt).\n"
         "# In `actuators` of an ArticulationCfg:\n"
@@ -30,14 +31,11 @@ std::string isaaclab_text(const ExportAnswer& a, const std::string& name)
     text += fmt::format(
         "        friction={:.9g},  # at rest\n"
         "        dynamic_friction={:.9g},\n"
-        "        viscous_friction={:.9g},\n",
-        f.breakaway, f.coulomb, f.viscous);
+        "        viscous_friction={:.9g},{}\n",
+        f.breakaway, f.coulomb, f.viscous,
+        j.back_emf > 0 ? fmt::format("  # {:.9g} of it by the motor's back-EMF", j.back_emf) : "");
     if (j.effort_limit < infinity)
-        text +=
-            fmt::format("        {}={:.9g},\n", delayed || dc ? "effort_limit" : "effort_limit_sim", j.effort_limit);
-    if (dc)
-        text += fmt::format("        saturation_effort={:.9g},\n        velocity_limit={:.9g},\n", j.stall_effort,
-                            j.no_load_speed);
+        text += fmt::format("        {}={:.9g},\n", delayed ? "effort_limit" : "effort_limit_sim", j.effort_limit);
     if (delayed)
         text += fmt::format("        min_delay={0},  # physics steps of {1:g} s\n        max_delay={0},\n",
                             a.delay_steps, a.timestep);

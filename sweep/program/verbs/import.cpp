@@ -30,6 +30,34 @@ nlohmann::ordered_json finite(double value)
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
+std::string_view word(NotTakenReason reason)
+{
+    for (const auto& choice : not_taken_reasons)
+        if (choice.value == reason) return choice.name;
+    return "";
+}
+
+nlohmann::ordered_json not_taken_json(const std::vector<NotTaken>& elements)
+{
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& of : elements)
+        list.push_back({{"place", of.place},
+                        {"element", of.element},
+                        {"name", of.name},
+                        {"attributes", of.attributes},
+                        {"reason", word(of.reason)}});
+    return list;
+}
+
+/// Of the joint at its side of the gear, whatever stands in its way.
+double effort_limit(const RobotJoint& j)
+{
+    double limit = std::min({j.effort, j.servo.effort_limit, j.motor.effort_limit});
+    if (is_set(j.motor.effort_per_command))
+        limit = std::min(limit, std::abs(j.motor.effort_per_command) * j.motor.command_limit);
+    return limit;
+}
+
 nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string& text)
 {
     const auto& d = answer.dynamics;
@@ -71,11 +99,12 @@ nlohmann::ordered_json import_json(const ImportAnswer& answer, const std::string
              {{"lower", finite(j.low)},
               {"upper", finite(j.high)},
               {"velocity", finite(j.velocity)},
-              {"effort", finite(j.effort)}}},
+              {"effort", finite(effort_limit(j))}}},
             {"gear", j.gear},
             {"impossible_inertias", impossible},
             {"suspected_units", suspected},
             {"beyond_limits", beyond},
+            {"not_taken", not_taken_json(answer.not_taken)},
             {"missing", answer.missing}};
 }
 
@@ -102,6 +131,7 @@ int import_verb(const Options& options)
     }
     for (const auto& of : answer.impossible) say("note: {}\n", impossible_inertia_text(of));
     for (const auto& of : answer.suspected) say("note: {}\n", suspected_unit_text(of));
+    for (const auto& of : answer.not_taken) say("note: {}\n", not_taken_text(of));
     for (const auto& of : answer.beyond) say("note: {}\n", beyond_limits_text(of));
     for (const auto& path : answer.missing) say("Still to fill in: {} (or --set {}=…)\n", path, path);
     return exit_done;

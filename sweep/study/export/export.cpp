@@ -73,7 +73,7 @@ constexpr Rule rules[] = {
     {"actuator.resistance", with_loop, Lost::gains_elsewhere},
     {"actuator.signal", with_loop, Lost::gains_elsewhere},
     {"actuator.k_e", "musi", Lost::mechanism_elsewhere},
-    {"actuator.supply_voltage", "i", Lost::supply},
+    {"actuator.supply_voltage", "musi", Lost::supply},
     {"actuator.supply_resistance", nobody, Lost::supply},
     {"actuator.sag_effort", nobody, Lost::supply},
     {"actuator.limit", "musi", Lost::mechanism_elsewhere},

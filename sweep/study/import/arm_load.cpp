@@ -65,7 +65,8 @@ std::vector<Inertial> inertial_forces(const Robot& robot, const Placed& at, cons
         const Eigen::Matrix3d turned = at.body[b].linear();
         const Eigen::Matrix3d inertia = turned * body.inertia * turned.transpose();
         const Vector centre = at.body[b] * body.centre;
-        forces[b] = {centre, body.mass * now.acceleration_of(centre),
+        const Vector held = body.held_weight * body.mass * robot.gravity;
+        forces[b] = {centre, body.mass * now.acceleration_of(centre) + held,
                      inertia * now.turning + now.turn.cross(inertia * now.turn)};
     }
     return forces;

@@ -23,6 +23,7 @@ struct ImportAnswer {
     std::vector<ImpossibleInertia> impossible;  ///< counted as they are described
     std::vector<SuspectedUnit> suspected;       ///< counted as they are described
     std::vector<PoseBeyondLimits> beyond;       ///< joints that cannot reach this pose
+    std::vector<NotTaken> not_taken;            ///< elements that act on the joint and are not in `joint`
     const RobotClosure* loop =
         nullptr;  ///< what ties the joint to the rest, into the robot: nothing else is then valid
 };

@@ -90,6 +90,13 @@ std::vector<int> beyond_limits(const Robot& robot, const std::vector<double>& po
     return beyond;
 }
 
+bool acts_on(const Robot& robot, const NotTaken& element, int joint)
+{
+    const auto moved = [&](int body) { return moves(robot, joint, body); };
+    return element.every_joint || std::ranges::find(element.joints, joint) != element.joints.end() ||
+           std::ranges::any_of(element.bodies, moved);
+}
+
 bool passes_through(const Robot& robot, const RobotClosure& closure, int joint)
 {
     // coordinates that are tied stand still together wherever their bodies are
@@ -103,7 +110,8 @@ AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<doub
     const auto index = static_cast<std::size_t>(joint);
     const Eigen::Vector3d axis = at.axis[index], anchor = at.anchor[index];
     AxisDynamics d;
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // Σ m (c − p)
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // Σ m (c − p), of the weight that is not held
+    double hanging = 0;
     const bool hinge = robot.joints[index].kind == RobotJointKind::hinge;
     for (std::size_t b = 0; b < robot.bodies.size(); ++b) {
         if (!moves(robot, joint, static_cast<int>(b))) continue;
@@ -112,11 +120,12 @@ AxisDynamics axis_dynamics(const Robot& robot, int joint, const std::vector<doub
         const Eigen::Vector3d own = at.body[b].linear().transpose() * axis;
         d.inertia += hinge ? body.mass * axis.cross(arm).squaredNorm() + own.dot(body.inertia * own) : body.mass;
         d.mass += body.mass;
-        moment += body.mass * arm;
+        hanging += (1 - body.held_weight) * body.mass;
+        moment += (1 - body.held_weight) * body.mass * arm;
         ++d.bodies;
     }
     if (!hinge) {
-        d.gravity_effort = d.mass * axis.dot(robot.gravity) + 0.0;  // no −0
+        d.gravity_effort = hanging * axis.dot(robot.gravity) + 0.0;  // no −0
         return d;
     }
     // the effort of gravity turns with the moment: T0 cos(q − q0) + T1 sin(q − q0) = −A sin(q + phase)

@@ -11,6 +11,21 @@ namespace stickslip {
 
 enum class RobotJointKind { hinge, slide, fixed };
 
+/// Servos that hold a joint, added up, at the joint's side of their gears.
+struct RobotServo {
+    double k_p = not_set, k_v = not_set;
+    double own_k_v = 0;           ///< the part of k_v that acts on velocity alone, without a target
+    double per_root_inertia = 0;  ///< of damping ratios: k_v has this times the root of the inertia in addition
+    double effort_limit = infinity;
+};
+
+/// A motor that turns a command into effort, at the joint's side of its gear.
+struct RobotMotor {
+    double effort_per_command = not_set;
+    double command_limit = infinity, effort_limit = infinity;
+    double lag = 0, delay = 0;
+};
+
 /// One degree of freedom of its body. `anchor` and `axis` stand in the frame of the body, before its joints move it.
 struct RobotJoint {
     std::string name;
@@ -20,8 +35,9 @@ struct RobotJoint {
     double reference = 0;  ///< coordinate at which the body stands as drawn
     double damping = 0, friction = 0, armature = 0;
     double low = -infinity, high = infinity, effort = infinity, velocity = infinity;
-    double gear = 1, k_p = not_set, k_v = not_set;  ///< of the actuator that drives it, where there is one
-    bool driven = false;
+    double gear = 1;  ///< of the actuator that drives it, where there is one
+    RobotServo servo;
+    RobotMotor motor;
     std::string place;  ///< "robot.urdf:12"
 };
 
@@ -33,6 +49,7 @@ struct RobotBody {
     double mass = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< of mass
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass, axes of the body
+    double held_weight = 0;                             ///< share of its weight that the description takes off it
     std::string place;
 };
 
@@ -44,11 +61,29 @@ struct RobotClosure {
     std::string place, what;
 };
 
+enum class NotTakenReason { spring, target, coupling, actuator, limit, nonlinear, medium, safety };
+inline constexpr Choice<NotTakenReason> not_taken_reasons[] = {
+    {"spring", NotTakenReason::spring},     {"target", NotTakenReason::target},
+    {"coupling", NotTakenReason::coupling}, {"actuator", NotTakenReason::actuator},
+    {"limit", NotTakenReason::limit},       {"nonlinear", NotTakenReason::nonlinear},
+    {"medium", NotTakenReason::medium},     {"safety", NotTakenReason::safety}};
+
+/// An element that acts on joints and that a joint of ours cannot express.
+struct NotTaken {
+    NotTakenReason reason = NotTakenReason::actuator;
+    std::string place, element, name;
+    std::string attributes;   ///< as they are written: stiffness="30" springref="0.5"
+    std::vector<int> joints;  ///< on which it acts
+    std::vector<int> bodies;  ///< it acts on every joint that moves one of them
+    bool every_joint = false;
+};
+
 /// Bodies come after their parents.
 struct Robot {
     std::vector<RobotBody> bodies;
     std::vector<RobotJoint> joints;
     std::vector<RobotClosure> closures;
+    std::vector<NotTaken> not_taken;
     Eigen::Vector3d gravity{0, 0, -9.81};
 };
 
@@ -91,6 +126,9 @@ std::vector<int> beyond_limits(const Robot& robot, const std::vector<double>& po
 
 /// Whether a joint moves the body.
 bool moves(const Robot& robot, int joint, int body);
+
+/// Whether the element acts on the joint.
+bool acts_on(const Robot& robot, const NotTaken& element, int joint);
 
 /// Whether a joint cannot turn without what the closure adds to the tree.
 bool passes_through(const Robot& robot, const RobotClosure& closure, int joint);

@@ -203,6 +203,25 @@ TEST_CASE("import: a description in millimetres and degrees is counted as writte
     CHECK(suspected_units(robot, elbow).empty());
 }
 
+TEST_CASE("import: limits near the ends of travel and springs of Gazebo are reported, for the joint that has them")
+{
+    const TemporaryDirectory room;
+    const std::string safe = replaced(arm_urdf, "<dynamics", "<safety_controller k_velocity=\"9\"/><dynamics");
+    const std::string spring =
+        "<gazebo reference=\"elbow\"><springReference>0.5</springReference><springStiffness>30</springStiffness>"
+        "</gazebo></robot>";
+    const Robot robot = read_robot(written(room, "arm.urdf", replaced(safe, "</robot>", spring)));
+    const auto of = [&](const char* name) {
+        return import_joint(robot, joint_named(robot, name, "arm.urdf"), {0.0, 0.0}).not_taken;
+    };
+    REQUIRE(of("shoulder").size() == 1);
+    CHECK(of("shoulder")[0].reason == NotTakenReason::safety);
+    CHECK(of("shoulder")[0].attributes == "k_velocity=\"9\"");
+    REQUIRE(of("elbow").size() == 1);
+    CHECK(of("elbow")[0].attributes == "springStiffness=\"30\" springReference=\"0.5\"");
+    CHECK_THAT(of("elbow")[0].place, Catch::EndsWith("arm.urdf:13"));
+}
+
 TEST_CASE("import: a pose beyond a joint's limits is said, with the limits")
 {
     const TemporaryDirectory room;

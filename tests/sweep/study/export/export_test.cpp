@@ -71,6 +71,32 @@ TEST_CASE("export: a DC motor is a gain, a damping by back-EMF and two ends of i
     CHECK(s.effort_limit == Approx(0.6));
 }
 
+TEST_CASE("export: Isaac Lab has the back-EMF of a DC motor once, and its supply as a limit of the effort")
+{
+    Joint joint = starting_joint(Model::single_mass, "coulomb-viscous", Motion::revolute);
+    auto& a = joint.actuator;
+    a.kind = ActuatorKind::dc_motor;
+    a.k_t = 5, a.k_e = 5, a.resistance = 0.5, a.supply_voltage = 48;
+    std::get<CoulombViscous>(joint.friction.law).viscous = 3;
+    joint.control.k_p = 100;
+    for (const double delay : {0.0, 0.01}) {
+        joint.control.delay = delay;
+        const auto answer = export_joint(joint, Simulator::isaaclab);
+        const auto text = simulator_text(answer, "elbow");
+        INFO(text);
+        CHECK(text.find("DCMotor") == std::string::npos);  // it would clip by speed what viscous_friction takes already
+        CHECK(text.find("velocity_limit") == std::string::npos);
+        CHECK(text.find("viscous_friction=53,  # 50 of it by the motor's back-EMF") != std::string::npos);
+        CHECK(text.find(delay > 0 ? "effort_limit=480," : "effort_limit_sim=480,") != std::string::npos);
+        // stall effort against back-EMF: at rest at 48 V / 5 V·s/rad
+        CHECK(answer.joint.effort_limit / answer.joint.back_emf == Approx(9.6));
+    }
+    // clipped effort and damping are the motor at its supply wherever both have an element
+    for (const auto& target : simulators)
+        CHECK(lost(export_joint(joint, target.value), "actuator.supply_voltage") ==
+              (target.value == Simulator::ros2_control));
+}
+
 TEST_CASE("export: friction without a Coulomb level is read at the commanded velocity")
 {
     Joint joint = starting_joint(Model::single_mass, "rate-and-state", Motion::prismatic);

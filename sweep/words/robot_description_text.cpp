@@ -5,28 +5,26 @@
 namespace stickslip {
 namespace {
 
-/// Predicate and reason.
+/// What the element does, and what becomes of it.
 const char* consequence(NotTakenReason reason)
 {
     switch (reason) {
         case NotTakenReason::spring:
-            return "pulls the joint to a position; the joint file has no spring to the ground, and this one is not in "
-                   "it";
+            return "pulls the joint to a position: left out, the joint file has no spring to the ground";
         case NotTakenReason::target:
-            return "filters or delays its target, not the feedback; the joint file has neither, and both are not in "
-                   "it";
+            return "filters or delays its target, not the feedback: left out";
         case NotTakenReason::coupling:
-            return "couples joints; the joint moves against its force, which is not in the joint file";
+            return "couples joints and loads this one: left out";
         case NotTakenReason::actuator:
-            return "acts on the joint, and the joint file cannot express how; it is not in it";
+            return "acts on the joint: left out, the joint file cannot express it";
         case NotTakenReason::limit:
-            return "limits its own part of the effort, to which another servo adds; the limit is not in the joint file";
+            return "limits its own part of the effort, to which another servo adds: the limit is left out";
         case NotTakenReason::nonlinear:
-            return "damps also with the square or cube of velocity; the joint file has the linear part alone";
+            return "damps also with the square or cube of velocity: the joint file has the linear part alone";
         case NotTakenReason::medium:
-            return "puts the robot into a medium; its drag and lift are not in the joint file";
+            return "puts the robot into a medium: its drag and lift are left out";
         case NotTakenReason::safety:
-            return "limits velocity and effort near the ends of travel; the limits are not in the joint file";
+            return "limits velocity and effort near the ends of travel: left out";
     }
     return "";
 }

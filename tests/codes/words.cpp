@@ -73,6 +73,11 @@ std::string impossible_inertia_text(const ImpossibleInertia&)
     return "#impossible-inertia";
 }
 
+std::string not_taken_text(const NotTaken&)
+{
+    return "#not-taken";
+}
+
 std::string suspected_unit_text(const SuspectedUnit&)
 {
     return "#suspected-unit";

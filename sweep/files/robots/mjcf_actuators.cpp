@@ -9,8 +9,9 @@ namespace stickslip::files {
 namespace {
 
 /// Attributes of an actuator as they are written, its own or of its class.
-const std::vector<const char*> written{"kp",      "kv",      "dampratio", "dyntype", "gaintype", "biastype",  "dynprm",
-                                       "gainprm", "biasprm", "timeconst", "delay",   "gear",     "forcerange"};
+const std::vector<const char*> written{"kp",       "kv",     "dampratio", "dyntype",   "gaintype",
+                                       "biastype", "dynprm", "gainprm",   "biasprm",   "timeconst",
+                                       "delay",    "gear",   "ctrlrange", "forcerange"};
 
 /// Which joints the actuator acts on.
 void set_target(const MjcfNames& names, const pugi::xml_node& node, NotTaken& element)
@@ -129,7 +130,9 @@ void read_actuators(const MjcfInput& input, const MjcfNames& names, Robot& robot
                 drives.take(node, index, a);
                 continue;
             }
-            auto element = not_taken(input, NotTakenReason::actuator, node, written);
+            auto attributes = written;
+            attributes.insert(attributes.begin(), {"tendon", "site", "body", "cranksite", "slidersite"});
+            auto element = not_taken(input, NotTakenReason::actuator, node, attributes);
             set_target(names, node, element);
             robot.not_taken.push_back(element);
         }

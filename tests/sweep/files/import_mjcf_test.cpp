@@ -252,7 +252,8 @@ TEST_CASE("import: actuators that a joint cannot express are reported for the jo
         CHECK(reported(on_both, "j") == 1);
         CHECK(reported(on_both, "k") == 1);
     }
-    CHECK(reported(R"(<muscle joint="j"/>)", "j") == 1);
+    CHECK(joined(driven(R"(<motor joint="j"/><motor joint="j" gear="2" ctrlrange="-1 1"/>)")) ==
+          "motor: gear=\"2\" ctrlrange=\"-1 1\"\n");
 }
 
 TEST_CASE("import: tendons that pull are reported, and coordinates that they tie are refused")

@@ -5,20 +5,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stickslip::gap {
 namespace {
 
-/// Mean over the records, which may differ in numbers of their own.
-double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& candidate, const Eigen::VectorXd& x)
+double mean(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// In every record, which may have numbers of its own.
+std::vector<double> values_of(const SheetNumber& number, const Prepared& p, const Candidate& candidate,
+                              const Eigen::VectorXd& x)
 {
     const auto si = in_si(candidate, x, p.scales);
-    double sum = 0;
+    std::vector<double> values;
     for (const auto& c : p.cases) {
         Joint joint = edited(c.joint, candidate, si, c.number), documented = c.joint;
-        sum += number.of(joint) / (number.per_documented ? number.of(documented) : 1);
+        values.push_back(number.of(joint) / (number.per_documented ? number.of(documented) : 1));
     }
-    return sum / static_cast<double>(p.cases.size());
+    return values;
+}
+
+double mean_of(const SheetNumber& number, const Prepared& p, const Candidate& candidate, const Eigen::VectorXd& x)
+{
+    return mean(values_of(number, p, candidate, x));
+}
+
+/// Of the mean, by the scatter between records: what they share is known no better, however exactly each is.
+double error_of_mean(const std::vector<double>& values)
+{
+    if (values.size() < 2) return 0;
+    const double n = static_cast<double>(values.size()), middle = mean(values);
+    double squares = 0;
+    for (const double v : values) squares += (v - middle) * (v - middle);
+    return std::sqrt(squares / (n - 1) / n);
 }
 
 /// Its change by each fitted number.
@@ -74,7 +96,9 @@ std::vector<SheetValue> sheet_values(const Prepared& p, const Attribution& a, co
         } else if (quality.covariance.rows() == x.size()) {
             const Eigen::VectorXd slope = slope_of(number, p, c, x);
             if (slope.isZero()) continue;  // this form leaves it as it is documented
-            const double error = policy::two_sided_95 * error_along(slope, quality.covariance);
+            const double of_fit = error_along(slope, quality.covariance),
+                         of_records = error_of_mean(values_of(number, p, c, x));
+            const double error = policy::two_sided_95 * std::hypot(of_fit, of_records);
             if (std::isfinite(error)) {
                 v.interval = {v.value - error, v.value + error};
                 v.pinned = error < std::abs(v.value);

@@ -171,3 +171,29 @@ TEST_CASE("a motor's gain is a factor, a drive's gain an effort per unit of its 
     CHECK(factor[0].value == Approx(1.2));
     CHECK(factor[0].unit.empty());
 }
+
+TEST_CASE("a number that differs between records is known as well as they agree", "[gap]")
+{
+    Prepared p;
+    std::vector<Note> notes;
+    for (const double coulomb : {2.0, 2.2}) {  // N
+        Joint joint = test::nominal_joint();
+        std::get<CoulombViscous>(joint.friction.law).coulomb = coulomb;
+        p.cases.push_back(prepare(test::record_of({}, 1, 2), joint, notes));
+        p.cases.back().number = p.cases.size() - 1;
+        p.documented.push_back(joint);
+    }
+    p.scales = Scales{};
+    Attribution a;
+    const Effect* e = effect_named("coulomb-level");
+    a.candidate = {{e}, {&e->forms[0]}, 2};
+    a.x.fill(to_fit(a.candidate, {0.3}));
+    Quality q;
+    q.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-8);
+    const auto v = sheet_values(p, a, q, 0);
+    REQUIRE(!v.empty());
+    CHECK(v[0].value == Approx(2.4));
+    // 2.3 and 2.5 N: the mean has a standard error of 0.1 N
+    CHECK(v[0].interval.low == Approx(2.4 - 0.196).epsilon(1e-3));
+    CHECK(v[0].interval.high == Approx(2.4 + 0.196).epsilon(1e-3));
+}

@@ -8,16 +8,13 @@
 #include "analysis/diagnosis/verdict/causes.h"
 #include "analysis/diagnosis/verdict/experiment.h"
 #include "analysis/diagnosis/verdict/report_ladder.h"
+#include "analysis/diagnosis/verdict/unresolved_memory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 namespace stickslip::gap {
-namespace {
-
-}  // namespace
-
 void report_named(const Prepared& p, const ParallelFor& parallel, const Findings& f, Diagnosis& d)
 {
     const JudgedLadder& j = f.judged;
@@ -82,8 +79,10 @@ void report_filter(const Prepared& p, Diagnosis& d)
     }
 }
 
-void report_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
-                   const Attribution& winner, Diagnosis& d)
+namespace {
+
+void report_indistinguishable(const Prepared& p, const ParallelFor& parallel, const Findings& f,
+                              const std::vector<Ranked>& ranked, const Attribution& winner, Diagnosis& d)
 {
     if (f.by_ladder) {
         if (f.judged.only_corrections)
@@ -117,6 +116,15 @@ void report_rivals(const Prepared& p, const ParallelFor& parallel, const Finding
     const std::size_t refitted = in_the_ladder(f) ? std::min(f.judged.corrections, named.size()) : 0;
     named.erase(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(refitted));
     if (!named.empty()) d.next_experiment.separates = {{joined(named), joined(names_of(rival->candidate))}};
+}
+
+}  // namespace
+
+void report_rivals(const Prepared& p, const ParallelFor& parallel, const Findings& f, const std::vector<Ranked>& ranked,
+                   const Attribution& winner, Diagnosis& d)
+{
+    report_indistinguishable(p, parallel, f, ranked, winner, d);
+    doubt_unresolved_memory(p.cases, p.scales, d);
 }
 
 void list_effects(const Prepared& p, const std::vector<Ranked>& ranked, Diagnosis& d)

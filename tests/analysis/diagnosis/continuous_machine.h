@@ -86,7 +86,10 @@ class ContinuousMachine {
             const double counted = error > c.dead_zone    ? error - c.dead_zone
                                    : error < -c.dead_zone ? error + c.dead_zone
                                                           : 0;
-            const double u = c.k_p * counted + c.k_v * (rate(k * T) - estimate);
+            const auto& fed = c.feed_forward;
+            const double r = rate(k * T), bend = k > 0 ? (r - rate((k - 1) * T)) / T : 0;
+            const double u = c.k_p * counted + c.k_v * (fed.velocity * r - estimate) + fed.acceleration * bend +
+                             fed.coulomb * std::tanh(r / fed.coulomb_speed);
             commands.push_back(std::clamp(u, -c.effort_limit, c.effort_limit));
             // the command that arrives changes once a tick, part of a tick after it, with dead time
             const int whole = static_cast<int>(std::floor(c.delay / T + 1e-9));

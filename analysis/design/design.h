@@ -53,6 +53,11 @@ GainRange gain_range(const Joint& joint, const Requirements& requirements);
 
 /// The end of the search for the least stable velocity below the joint's own: a choice that reads so may be stable
 /// below.
-double lowest_velocity_searched(const Requirements& requirements, double velocity);
+inline double lowest_velocity_searched(const Requirements& requirements, double velocity)
+{
+    constexpr double below_requirement = 0.1, below_velocity = 1e-4;  // parts down to which it is looked for
+    return is_set(requirements.least_velocity) ? below_requirement * requirements.least_velocity
+                                               : below_velocity * velocity;
+}
 
 }  // namespace stickslip

@@ -14,7 +14,6 @@ namespace stickslip {
 namespace {
 
 constexpr int velocity_steps = 12;           ///< a decade, when the least velocity is looked for
-constexpr double velocity_decades = 4;       ///< below V_0, as far as it is looked for without a requirement
 constexpr double beyond_requirement = 1.25;  ///< how far a margin is looked for, per specified one
 constexpr double near = 0.7;          ///< where verdicts are counts: margins are looked for up to a factor of two
 constexpr double rough = 1e-4;        ///< of the distances that a search over directions compares
@@ -160,12 +159,6 @@ GainChoice Judge::thorough(double k_p, double k_v)
 {
     const auto options = cost_ == VerdictCost::small ? NearestOptions{} : affordable();
     return judged(k_p, k_v, signed_margin(nearest(k_p, k_v, options)), true);
-}
-
-double lowest_velocity_searched(const Requirements& requirements, double velocity)
-{
-    return is_set(requirements.least_velocity) ? 0.1 * requirements.least_velocity
-                                               : velocity * std::pow(10, -velocity_decades);
 }
 
 double Judge::least_velocity(Joint joint) const

@@ -1,5 +1,7 @@
 #include "sweep/words/design_text.h"
 
+#include "sweep/words/least_velocity_text.h"
+
 #include "analysis/stability/steady.h"
 #include "sweep/words/loop_text.h"
 #include "sweep/words/low_limit_text.h"
@@ -23,14 +25,6 @@ std::string requirement_name(const std::string& name)
 std::string margin_text(double margin, const GainDesign& d)
 {
     return (margin >= d.margin_reach ? "> " : "") + plain_number(margin, 3);
-}
-
-std::string least_velocity_text(const GainChoice& c, const Requirements& requirements, double velocity, Units units)
-{
-    if (!std::isfinite(c.least_velocity)) return "–";
-    constexpr double end = 1 + 1e-9;
-    const bool at_end = c.least_velocity <= end * lowest_velocity_searched(requirements, std::abs(velocity));
-    return (at_end ? "≤ " : "") + with_unit(c.least_velocity, Quantity::velocity, units);
 }
 
 std::string requirement_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u)
@@ -100,6 +94,7 @@ std::string cost_of_simple_thinking(const DesignAnswer& a, const DesignUnits& u)
 
 std::vector<std::string> row_of(const char* name, const GainChoice& c, const DesignAnswer& a, const DesignUnits& u)
 {
+    const double lowest = lowest_velocity_searched(a.requirements, std::abs(sliding_velocity(a.joint)));
     return {name,
             u.stiffness(c.k_p),
             u.damping(c.k_v),
@@ -108,7 +103,7 @@ std::vector<std::string> row_of(const char* name, const GainChoice& c, const Des
             u.effort(c.peak_effort),
             u.position(c.steady_deflection),
             margin_text(c.margin, a.design),
-            c.margin < 0 ? "–" : least_velocity_text(c, a.requirements, sliding_velocity(a.joint), u.units)};
+            c.margin < 0 ? "–" : least_velocity_text(c.least_velocity, lowest, u.units)};
 }
 
 }  // namespace

@@ -31,9 +31,6 @@ std::string requirement_name(const std::string& name);
 /// A margin as large as was looked for is at least that large.
 std::string margin_text(double margin, const GainDesign& d);
 
-/// The least stable velocity of a choice; "≤" where the search ended before an unstable one.
-std::string least_velocity_text(const GainChoice& c, const Requirements& requirements, double velocity, Units units);
-
 /// A value of a requirement with its unit.
 std::string requirement_value(const RequirementReport& d, double value, const DesignAnswer& a, const DesignUnits& u);
 

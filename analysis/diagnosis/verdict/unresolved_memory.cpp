@@ -36,14 +36,12 @@ void doubt_unresolved_memory(std::span<const Case> cases, const Scales& scales, 
     const auto& parameters = d.effects[0].parameters;
     const auto slip = std::ranges::find(parameters, "frictional-memory.L", &FittedParameter::name);
     if (slip == parameters.end() || !(slip->value < policy::resolved_slip * smallest_reading(cases, scales))) return;
-    Cause other;
+    Cause other = d.effects[0];  // what it leaves is what the curve leaves
     other.names = with_curve(d.effects[0].names);
+    other.form.clear(), other.parameters.clear(), other.values.clear();
     if (std::ranges::count(d.ambiguous_with, other.names) > 0) return;
     const auto listed = std::ranges::find(d.effects, other.names, &Cause::names);
-    if (listed != d.effects.end()) {
-        other = *listed;
-        d.effects.erase(listed);
-    }
+    if (listed != d.effects.end()) d.effects.erase(listed);
     d.effects[0].probability /= 2;
     other.probability = d.effects[0].probability;
     d.ambiguous_with.push_back(other.names);

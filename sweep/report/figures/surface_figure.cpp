@@ -9,7 +9,7 @@ namespace stickslip {
 namespace {
 
 /// What the surface's missing places mean, in a sentence: no single critical gain has three causes.
-std::string where_no_critical_gain(const GainSurface& surface)
+std::string where_missing(const GainSurface& surface)
 {
     std::string text;
     if (surface.always > 0) text += " Every positive gain is stable at " + percent(surface.always) + " of the points.";
@@ -39,7 +39,7 @@ Figure surface_figure(const GainSurface& found, Units units)
     figure.id = chart_id("surface", found.x, found.y);
     figure.finding =
         "Surface of the critical position gain over " + found.x.name + " and " + found.y.name + ", " + range;
-    figure.caption = "Least position gain for stable sliding, " + range + "." + where_no_critical_gain(found);
+    figure.caption = "Least position gain for stable sliding, " + range + "." + where_missing(found);
     figure.picture = std::move(surface);
     return figure;
 }

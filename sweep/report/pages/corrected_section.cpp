@@ -4,8 +4,8 @@
 #include "sweep/report/figures/line_figure.h"
 #include "sweep/report/figures/map_figures.h"
 #include "sweep/report/figures/thinned_line.h"
-#include "sweep/words/design_text.h"
 #include "sweep/words/gains_text.h"
+#include "sweep/words/least_velocity_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,14 @@ namespace {
 Table gains_table(const CorrectedGains& g, Units units)
 {
     Table table{"Gains and what they give", {"gains", "k_{p}", "k_{v}", "margin", "stable down to"}, {}};
+    const double lowest = lowest_velocity_searched(g.required, std::abs(g.velocity));
     const auto add = [&](const char* name, const GainChoice& c) {
         const bool stable = !(c.margin < 0);
         table.rows.push_back(
             {name, with_unit(c.k_p / g.per_drive, Quantity::position_gain, units),
              with_unit(c.k_v / g.per_drive, Quantity::velocity_gain, units),
              stable ? (c.margin >= g.right->margin_reach ? "> " : "") + plain_number(c.margin, 3) : "unstable",
-             stable ? least_velocity_text(c, g.required, g.velocity, units) : "–"});
+             stable ? least_velocity_text(c.least_velocity, lowest, units) : "–"});
     };
     add(g.right->feasible ? "recommended" : "nearest to feasible", g.right->best);
     add("as in the joint", g.right->as_joint);

@@ -14,7 +14,7 @@ Diagnosis named(std::vector<std::string> names, double L)
     Diagnosis d;
     d.verdict = Verdict::gap;
     Cause first, second;
-    first.names = std::move(names), first.probability = 0.94, first.form = "slip";
+    first.names = std::move(names), first.probability = 0.94, first.form = "slip", first.misfit = 1.2;
     FittedParameter slip;
     slip.name = "frictional-memory.L", slip.value = L;
     first.parameters = {slip};
@@ -43,6 +43,7 @@ TEST_CASE("a memory within the encoder's steps may as well be a curve of frictio
     REQUIRE(within.effects.size() == 2);
     CHECK(within.effects[1].names == Names{"stribeck"});
     CHECK(within.effects[1].probability == Approx(0.47));
+    CHECK(within.effects[1].misfit == 1.2);
     CHECK(within.ambiguous_with == std::vector<Names>{{"stribeck"}});
     CHECK(within.ladder[0].ambiguous_with == std::vector<Names>{{"stribeck"}});
     CHECK(within.ladder[0].probability == Approx(0.485));

@@ -205,7 +205,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         }
         if (const auto best = earning(); const auto* stuck = nearest_at_bounds(tried, set)) {
             if (best == tried.end() || stuck->misfit + margin_of(*stuck, rules_) < best->misfit)
-                for (auto& s : climber_->exchanged(FittedSet(*stuck))) tried.push_back(std::move(s));
+                for (auto& s : climber_->exchanged(*stuck)) tried.push_back(std::move(s));
             std::stable_sort(tried.begin(), tried.end(), best_first);
         }
         if (at_start)

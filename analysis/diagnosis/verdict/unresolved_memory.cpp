@@ -9,13 +9,13 @@ namespace {
 
 constexpr const char *memory = "frictional-memory", *curve = "stribeck";
 
-/// Of the body that carries the friction, in any of the records.
-double smallest_reading(std::span<const Case> cases, const Scales& scales)
+/// The coarsest step or noise of a reading in any of the records, as a motion of the body that carries the friction.
+double coarsest_reading(std::span<const Case> cases, const Scales& scales)
 {
-    double least = 0;
+    double coarsest = 0;
     for (const auto& c : cases)
-        least = std::max({least, c.joint.sensor.encoder_quantum, c.joint.sensor.position_noise});
-    return least * scales.friction.motion;
+        coarsest = std::max({coarsest, c.joint.sensor.encoder_quantum, c.joint.sensor.position_noise});
+    return coarsest * scales.friction.motion;
 }
 
 std::vector<std::string> with_curve(std::vector<std::string> names)
@@ -35,7 +35,8 @@ void doubt_unresolved_memory(std::span<const Case> cases, const Scales& scales, 
     if (d.verdict != Verdict::gap || d.effects.empty()) return;
     const auto& parameters = d.effects[0].parameters;
     const auto slip = std::ranges::find(parameters, "frictional-memory.L", &FittedParameter::name);
-    if (slip == parameters.end() || !(slip->value < policy::resolved_slip * smallest_reading(cases, scales))) return;
+    if (slip == parameters.end() || !(slip->value < policy::resolved_slip * coarsest_reading(cases, scales))) return;
+    const bool has_curve = std::ranges::count(d.effects[0].names, curve) > 0;  // a rung of its own
     Cause other = d.effects[0];  // what it leaves is what the curve leaves
     other.names = with_curve(d.effects[0].names);
     other.form.clear(), other.parameters.clear(), other.values.clear();
@@ -49,7 +50,7 @@ void doubt_unresolved_memory(std::span<const Case> cases, const Scales& scales, 
     for (auto& rung : d.ladder) {
         if (std::ranges::count(rung.names, memory) == 0) continue;
         rung.probability /= 2;
-        if (auto names = with_curve(rung.names); !names.empty()) rung.ambiguous_with.push_back(std::move(names));
+        if (!has_curve) rung.ambiguous_with.push_back(with_curve(rung.names));
     }
 }
 

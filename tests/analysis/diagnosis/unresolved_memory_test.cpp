@@ -55,4 +55,5 @@ TEST_CASE("a memory within the encoder's steps may as well be a curve of frictio
     // beside a curve that is named already the memory may be none
     const auto beside = named({"stribeck", "frictional-memory", "gravity"}, 1.2e-5);
     CHECK(beside.ambiguous_with == std::vector<Names>{{"stribeck", "gravity"}});
+    CHECK(beside.ladder[0].ambiguous_with.empty());
 }

@@ -190,7 +190,7 @@ TEST_CASE("options take no number that means nothing", "[program][slow]")
     CHECK(stickslip(joint + "--disturbance start --size 0").exit_code == 0);
 }
 
-TEST_CASE("a name that no robot description can hold is refused", "[program]")
+TEST_CASE("a name that no robot description can hold is refused", "[program][slow]")
 {
     for (const char* to : {"mjcf", "urdf", "sdf", "isaaclab", "ros2_control"})
         for (const char* name : {"a<b>", "a&b", "a\"b", "two words", ""}) {
@@ -314,7 +314,7 @@ TEST_CASE("a limit below the friction of steady sliding is said with its place b
     CHECK(stickslip("evaluate '" + weak + "' --set control.effort_limit=61").exit_code == 0);
 }
 
-TEST_CASE("a loop that no controller has is refused at its place", "[program]")
+TEST_CASE("a loop that no controller has is refused at its place", "[program][slow]")
 {
     Folder folder;
     struct Bad {

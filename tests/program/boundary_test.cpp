@@ -54,7 +54,7 @@ TEST_CASE("boundary follows a curve and writes it with its page", "[program][bou
     CHECK_THAT(program::read(folder / "out/boundary.csv"), Contains("linear,control.k_p,control.V0,0,"));
 }
 
-TEST_CASE("boundary answers impossible requests with what is possible", "[program][boundary]")
+TEST_CASE("boundary answers impossible requests with what is possible", "[program][boundary][slow]")
 {
     const std::string joint = "boundary examples/02-ball-screw/joint-with-memory.toml --set control.k_v=0 ";
     const auto outside = stickslip(joint + "--kind linear --along control.k_p=1e6..1e7");

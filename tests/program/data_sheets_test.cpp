@@ -91,7 +91,7 @@ TEST_CASE("gains in volts are an axis like any other", "[program][sheets]")
     CHECK(Json::parse(run.output)["undecided"] == 0);
 }
 
-TEST_CASE("the ideal loop of a motor has its gains in volts, too", "[program][sheets]")
+TEST_CASE("the ideal loop of a motor has its gains in volts, too", "[program][sheets][slow]")
 {
     Folder folder;
     const auto joint = folder.write("joint.toml", carriage);
@@ -104,7 +104,7 @@ TEST_CASE("the ideal loop of a motor has its gains in volts, too", "[program][sh
     CHECK_THAT(said, Contains("leaves out control.period, control.velocity_estimate.form of the joint file"));
 }
 
-TEST_CASE("every verb that has a loop takes the ideal one", "[program][sheets]")
+TEST_CASE("every verb that has a loop takes the ideal one", "[program][sheets][slow]")
 {
     Folder folder;
     const auto joint = folder.write("joint.toml", carriage);
@@ -205,7 +205,7 @@ viscous = 60
     CHECK(run.exit_code == 0);
 }
 
-TEST_CASE("a mechanism that grows beyond all numbers within a tick is unstable", "[program][sheets]")
+TEST_CASE("a mechanism that grows beyond all numbers within a tick is unstable", "[program][sheets][slow]")
 {
     Folder folder;
     // a planetary gear whose inertia stands at the slow side: falling friction drives it at 2·10^6 1/s, e^744 in a tick
@@ -245,7 +245,7 @@ viscous = 0.01
     CHECK(Json::parse(run.output)["linear"]["state_variable"]["stable"] == false);
 }
 
-TEST_CASE("a fold just beyond its Hopf point is no Hopf point on a wide axis", "[program][sheets]")
+TEST_CASE("a fold just beyond its Hopf point is no Hopf point on a wide axis", "[program][sheets][slow]")
 {
     // found along 53.8 to 53.9 kN/m and by evaluate; along four decades the critical gain was called a fold
     Folder folder;

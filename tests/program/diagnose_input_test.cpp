@@ -153,7 +153,7 @@ TEST_CASE("what no record of this joint can hold is a contradiction and no cause
     }
 }
 
-TEST_CASE("a row that a logger held is left away and said to be", "[program][diagnose]")
+TEST_CASE("a row that a logger held is left away and said to be", "[program][diagnose][slow]")
 {
     std::string text = record();
     const auto line = text.find("\n0.1,") + 1;
@@ -235,7 +235,7 @@ TEST_CASE("an effort that varies while the command is constant is in no other un
     CHECK_THAT(run.output, !Contains("suspected"));
 }
 
-TEST_CASE("an encoder on the motor turns as many times farther as the reduction says", "[program][diagnose]")
+TEST_CASE("an encoder on the motor turns as many times farther as the reduction says", "[program][diagnose][slow]")
 {
     const std::string geared =
         "[joint]\nmotion = \"revolute\"\nmodel = \"two-mass\"\nmotor_inertia = 1e-5\nlink_inertia = 0.05\n"

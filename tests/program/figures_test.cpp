@@ -39,7 +39,7 @@ TEST_CASE("evaluate -o draws what the linear theory says of a joint", "[program]
         CHECK_THAT(program::read(folder / "joint/report.html"), Catch::Matchers::Contains(id));
 }
 
-TEST_CASE("evaluate answers disturbances of every kind and refuses what it cannot follow", "[program]")
+TEST_CASE("evaluate answers disturbances of every kind and refuses what it cannot follow", "[program][slow]")
 {
     program::Folder folder;
     const std::string joint = "examples/02-ball-screw/joint-with-memory.toml";

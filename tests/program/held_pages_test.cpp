@@ -30,7 +30,7 @@ enabled = true
 
 }  // namespace
 
-TEST_CASE("a sweep's page says that points come to rest for good", "[held]")
+TEST_CASE("a sweep's page says that points come to rest for good", "[held][slow]")
 {
     const Folder folder;
     const auto run = stickslip("sweep " + folder.write("spec.toml", spec_text(20)) + " -o " + (folder / "out"));

@@ -168,7 +168,7 @@ TEST_CASE("a file that cannot be written is named with the reason", "[program][i
     }
 }
 
-TEST_CASE("words that nobody can take end in the exit code, not in an abort", "[program][impossible]")
+TEST_CASE("words that nobody can take end in the exit code, not in an abort", "[program][impossible][slow]")
 {
     for (const char* nowhere : {"2>/dev/full", "2>&-", ">/dev/full 2>/dev/full"}) {
         CAPTURE(nowhere);

@@ -74,7 +74,8 @@ void say_what_they_lack(const Verbs& verbs)
 
 }  // namespace
 
-TEST_CASE("margins and boundary name the term that their linear theory lacks, and are not green", "[program][loop]")
+TEST_CASE("margins and boundary name the term that their linear theory lacks, and are not green",
+          "[program][loop][slow]")
 {
     say_what_they_lack(fast);
 }
@@ -159,7 +160,7 @@ TEST_CASE("with --ideal-loop the JSON of every other verb says which loop was le
     say_which_loop_they_leave_out(slow);
 }
 
-TEST_CASE("a sweep of the ideal loop says so on its page, also when that is drawn again", "[program][loop]")
+TEST_CASE("a sweep of the ideal loop says so on its page, also when that is drawn again", "[program][loop][slow]")
 {
     program::Folder folder;
     const auto file = folder.write("late.toml", std::string(late_joint) + axes);

@@ -114,7 +114,7 @@ TEST_CASE("a gear that loses more when the load drives it is friction that depen
     CHECK_THAT(read(folder / "found/corrected-joint.toml"), Catch::Contains("backward = 0."));
 }
 
-TEST_CASE("a law that no record is fitted with says what to write instead")
+TEST_CASE("a law that no record is fitted with says what to write instead", "[slow]")
 {
     const Folder folder;
     const auto motion = folder.write("motion.csv", reference());

@@ -62,7 +62,7 @@ TEST_CASE("a velocity backwards is a parameter as one forwards is", "[program][m
           Approx(forwards["worst_case"]["spectral_abscissa"].get<double>()).epsilon(1e-9));
 }
 
-TEST_CASE("the nearest boundary of several bodies is found between the axes", "[program][margins]")
+TEST_CASE("the nearest boundary of several bodies is found between the axes", "[program][margins][slow]")
 {
     // three masses, each with a Stribeck peak: level and peak of the motor's friction act together with V_0. A search
     // of its own, from many starts, came to 0.343; the nearest axis lies at 0.58

@@ -56,7 +56,7 @@ TEST_CASE("the page of one joint says how far the boundary is", "[program][pages
 }
 
 TEST_CASE("a verdict on the ideal loop of a joint that has another says so first, and is green only where both slide",
-          "[program][pages]")
+          "[program][pages][slow]")
 {
     Folder folder;
     // stable above 53.9 kN/m in the ideal loop, above 65.7 kN/m in the one described

@@ -46,7 +46,7 @@ void lies_where_growth_changes_sign(const Joint& joint)
 
 }  // namespace
 
-TEST_CASE("a boundary of a loop with short ticks lies where growth rates put it", "[boundary]")
+TEST_CASE("a boundary of a loop with short ticks lies where growth rates put it", "[boundary][slow]")
 {
     const Joint short_ticks = late_friction(2e-3), long_ticks = late_friction(3e-2);
     CHECK_FALSE(is_told_by_count(short_ticks, BoundaryKind::state_variable));

@@ -36,7 +36,7 @@ TEST_CASE("hunting with static friction ends where the loop is unstable", "[boun
     CHECK(ray.undecided == 0);
 }
 
-TEST_CASE("hunting ends where dead time makes the loop unstable", "[boundary][set-point]")
+TEST_CASE("hunting ends where dead time makes the loop unstable", "[boundary][set-point][slow]")
 {
     BoundaryRequest request;
     request.kind = BoundaryKind::hunting;

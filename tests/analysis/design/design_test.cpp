@@ -243,7 +243,7 @@ TEST_CASE("requirements that mean nothing are refused", "[design]")
     CHECK_THROWS_AS(design_gains(joint, r, test::in_order), std::invalid_argument);
 }
 
-TEST_CASE("The peak effort of gains holds gravity where it pulls most", "[design]")
+TEST_CASE("The peak effort of gains holds gravity where it pulls most", "[design][slow]")
 {
     Joint joint = example_joint(6e4, 0, 1e-3);
     joint.mechanism.inertia = 1e-9;

@@ -89,7 +89,7 @@ TEST_CASE("where the drop may exceed the static friction no push holds", "[desig
 }
 
 TEST_CASE("a design of a set point recommends no gains with which the joint's own loop is unstable",
-          "[design][set-point]")
+          "[design][set-point][slow]")
 {
     // 100 Hz and a tick of dead time: a loop of 450 N·m/rad on 0.3 kg·m² turns by 39 rad/s, and lags 45° by then
     auto joint = arm();

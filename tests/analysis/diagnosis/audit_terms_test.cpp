@@ -25,7 +25,7 @@ TEST_CASE("a feed-forward of an acceleration that the log shows only roughly is 
     CHECK(d.effects[0].parameters[0].value == Approx(1.2).epsilon(0.03));
 }
 
-TEST_CASE("the limit of an integral is that of its own gain, not of the documented one", "[gap]")
+TEST_CASE("the limit of an integral is that of its own gain, not of the documented one", "[gap][slow]")
 {
     Machine m;
     m.k_i = 2000, m.integral_limit = 0.8, m.load = 3;

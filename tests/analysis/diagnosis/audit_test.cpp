@@ -42,7 +42,7 @@ TEST_CASE("without a reference a coarse grid does not bend the gains", "[gap]")
     CHECK(found.command_explained);
 }
 
-TEST_CASE("a limit of the integral that is not the documented one is read off the command", "[gap]")
+TEST_CASE("a limit of the integral that is not the documented one is read off the command", "[gap][slow]")
 {
     const Record plain = test::record_of({}, 1, 4);
     const double tick = plain.time[1] - plain.time[0];
@@ -92,7 +92,7 @@ TEST_CASE("a limit of the integral that is not the documented one is read off th
     CHECK(found(free, 10 * reached, corrected).findings.empty());
 }
 
-TEST_CASE("integral action and feed-forward that the document lacks are read off the command", "[gap]")
+TEST_CASE("integral action and feed-forward that the document lacks are read off the command", "[gap][slow]")
 {
     const Record plain = test::record_of({}, 1, 4);
     const double tick = plain.time[1] - plain.time[0];

@@ -19,7 +19,8 @@ using namespace stickslip::gap;
 using stickslip::test::Machine;
 using Search = LadderRecords;
 
-TEST_CASE("a number further off than documents are is freed beside a cause, though it earns no rung", "[gap][ladder]")
+TEST_CASE("a number further off than documents are is freed beside a cause, though it earns no rung",
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.coulomb = 2 * 0.78, m.viscous = 6, m.cubic = 300;  // and a spring of no catalogue
@@ -37,7 +38,7 @@ TEST_CASE("a number further off than documents are is freed beside a cause, thou
 
 TEST_CASE(
     "beside a cause a number counts as far off where the document is otherwise exact, not where it is off as a whole",
-    "[gap][ladder]")
+    "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 4, m.inertia = 1.2 * 1.1;
@@ -56,7 +57,7 @@ TEST_CASE(
     CHECK(far_off(m) == std::vector<std::string_view>{"constant-load"});
 }
 
-TEST_CASE("a level that only stood in for a rising curve gives way once that is found", "[gap][ladder]")
+TEST_CASE("a level that only stood in for a rising curve gives way once that is found", "[gap][ladder][slow]")
 {
     Machine m;
     m.peak = 0.4, m.peak_velocity = 0.06, m.viscous = 1.5 + 3;
@@ -88,7 +89,7 @@ TEST_CASE("a level that only stood in for a rising curve gives way once that is 
     CHECK_FALSE(climber.without_correction(tried.front(), tried));  // it comes no nearer
 }
 
-TEST_CASE("a wave stays where it is when what was found with it is taken away", "[gap][ladder]")
+TEST_CASE("a wave stays where it is when what was found with it is taken away", "[gap][ladder][slow]")
 {
     Machine m;
     m.cogging = 0.8, m.viscous = 6;
@@ -242,7 +243,8 @@ TEST_CASE("a small term stands behind all other causes, and goes from there", "[
     CHECK(names_of(shorter.ladder.last().causes) == std::vector<std::string>{"inertia", "gravity"});
 }
 
-TEST_CASE("a small term on top of a cause goes among the corrections of a ladder that is climbed anew", "[gap][ladder]")
+TEST_CASE("a small term on top of a cause goes among the corrections of a ladder that is climbed anew",
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.viscous = 3;
@@ -326,7 +328,7 @@ TEST_CASE("a divided mass on a spring that hardens is found by its stiffness at 
     CHECK(si[4] == Approx(m.hung_stiffness * m.hung_stretch).epsilon(0.1));
 }
 
-TEST_CASE("a cause that would pay with impossible numbers alone is told as that", "[gap][ladder]")
+TEST_CASE("a cause that would pay with impossible numbers alone is told as that", "[gap][ladder][slow]")
 {
     Machine m;
     m.cubic = 4000;  // a spring of no catalogue, to which a wave longer than the travel comes near
@@ -338,7 +340,7 @@ TEST_CASE("a cause that would pay with impossible numbers alone is told as that"
     CHECK(j.why_not->names == std::vector<std::string>{"cogging"});
 }
 
-TEST_CASE("a small drift that could grow into the place of a changed level stands behind it", "[gap][ladder]")
+TEST_CASE("a small drift that could grow into the place of a changed level stands behind it", "[gap][ladder][slow]")
 {
     constexpr double level = 2 * 0.2, drift = 2 * 0.03, time_constant = 5;  // N, N, s; records of 5 s
     Joint joint = test::nominal_joint();

@@ -104,7 +104,7 @@ TEST_CASE(
     CHECK(found == pinned);
 }
 
-TEST_CASE("the audit reads a wrong gain and a wrong filter off the command, to a thousandth", "[gap]")
+TEST_CASE("the audit reads a wrong gain and a wrong filter off the command, to a thousandth", "[gap][slow]")
 {
     Machine m;
     m.k_p *= 1.07;
@@ -146,7 +146,7 @@ TEST_CASE("what is explainable beside a wrong gain is measured, and the gain is 
     CHECK(d.ceiling.share != d.ladder[0].share);  // the noise that is left is no copy of what the audit takes
 }
 
-TEST_CASE("more friction is named, sized and halves nothing but the gap", "[gap]")
+TEST_CASE("more friction is named, sized and halves nothing but the gap", "[gap][slow]")
 {
     Machine m;
     m.coulomb = 2.3;

@@ -50,7 +50,7 @@ TEST_CASE("a free force of position is a spline that holds every parabola", "[ga
     for (double q = -2; q < 2; q += 0.13) CHECK(f.at(q, 0) == Approx(parabola(q)));
 }
 
-TEST_CASE("a spring of no effect is found as a force of position, with its size", "[gap]")
+TEST_CASE("a spring of no effect is found as a force of position, with its size", "[gap][slow]")
 {
     test::Machine m;
     m.cubic = 2000;  // 2 N at the ends
@@ -61,7 +61,7 @@ TEST_CASE("a spring of no effect is found as a force of position, with its size"
     for (double q = -0.07; q < 0.08; q += 0.01) CHECK(f.at(q, 0) == Approx(-m.cubic * q * q * q).margin(0.03));
 }
 
-TEST_CASE("drag with the square of speed is found as a force of velocity, with its size", "[gap]")
+TEST_CASE("drag with the square of speed is found as a force of velocity, with its size", "[gap][slow]")
 {
     test::Machine m;
     m.drag = 40;
@@ -72,7 +72,7 @@ TEST_CASE("drag with the square of speed is found as a force of velocity, with i
     for (double v = -0.15; v < 0.16; v += 0.05) CHECK(f.at(0, v) == Approx(-m.drag * v * std::abs(v)).margin(0.02));
 }
 
-TEST_CASE("a spring that lags behind the position is found as a hysteresis, with its play and stiffness", "[gap]")
+TEST_CASE("a spring that lags behind the position is found as a hysteresis, with its play and stiffness", "[gap][slow]")
 {
     test::Machine m;
     m.bellows = 20, m.bellows_play = 0.012;  // 1.6 N at the ends
@@ -87,7 +87,7 @@ TEST_CASE("a spring that lags behind the position is found as a hysteresis, with
         if (other.of == "position") CHECK(clearly_better(fitted.best(), other.fit));
 }
 
-TEST_CASE("a hysteresis of another kind is nearer to a play than to any force of position", "[gap]")
+TEST_CASE("a hysteresis of another kind is nearer to a play than to any force of position", "[gap][slow]")
 {
     test::Machine m;
     m.bellows = 20, m.bellows_play = 0.012, m.bellows_creeps = true;
@@ -113,7 +113,7 @@ TEST_CASE("a force without a name beats a cause only by a clear part of what the
     CHECK(clearly_better({"position", leaving(1.0), 0.04}, leaving(1.06)));
 }
 
-TEST_CASE("a load that is picked up on the way is found as an inertia that changes, with its size", "[gap]")
+TEST_CASE("a load that is picked up on the way is found as an inertia that changes, with its size", "[gap][slow]")
 {
     test::Machine m;
     m.picked_up = 0.5;

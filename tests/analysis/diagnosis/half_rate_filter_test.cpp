@@ -45,7 +45,8 @@ TEST_CASE("half-rate filter: white noise alone gives the slope that its formula 
     CHECK(slope_of_noise(g) == Approx(both / square).margin(0.01));
 }
 
-TEST_CASE("half-rate filter: another filter than the documented one is a finding, the documented one is none", "[gap]")
+TEST_CASE("half-rate filter: another filter than the documented one is a finding, the documented one is none",
+          "[gap][slow]")
 {
     Machine m;
     m.tau = GENERATE(0.0, 0.003, 0.009);

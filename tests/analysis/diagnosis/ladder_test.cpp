@@ -83,7 +83,7 @@ double share(const std::vector<Window>& left, const std::vector<Window>& of)
 }  // namespace
 
 TEST_CASE("numbers of the document that are a few per cent off are corrected to the true ones, and are no cause",
-          "[gap][ladder]")
+          "[gap][ladder][slow]")
 {
     Machine m;
     m.inertia = 1.2 * 1.05, m.coulomb = 2 * 0.95, m.viscous = 1.5 * 1.1;
@@ -319,7 +319,7 @@ TEST_CASE("a cogging of little more than one period in the travel is found, with
     CHECK(share(set.all_left(), c.ladder.documented) < 0.01);
 }
 
-TEST_CASE("what remains is told by the signal that it depends on", "[gap][ladder]")
+TEST_CASE("what remains is told by the signal that it depends on", "[gap][ladder][slow]")
 {
     Machine m;
     m.cubic = 4000;  // a spring of no catalogue

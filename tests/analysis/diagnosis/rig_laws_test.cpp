@@ -97,7 +97,7 @@ Friction with(const FrictionLaw& law)
 
 }  // namespace
 
-TEST_CASE("a rig's memory answers a velocity step as the laws of friction do, slip and ageing", "[gap][rig]")
+TEST_CASE("a rig's memory answers a velocity step as the laws of friction do, slip and ageing", "[gap][rig][slow]")
 {
     const std::pair<RigLaw, Friction> laws[] = {{RigLaw::slip, with(remembering<RateAndState>())},
                                                 {RigLaw::ageing, with(remembering<Ageing>())}};

@@ -47,7 +47,7 @@ TEST_CASE("a number whose own error reaches the document is no cause", "[gap][la
     CHECK(j.only_corrections);
 }
 
-TEST_CASE("a last rung that may take nothing is no rung", "[gap][ladder]")
+TEST_CASE("a last rung that may take nothing is no rung", "[gap][ladder][slow]")
 {
     // readings that are held now and then leave more than noise, of which a second cause makes a little by chance
     Machine m;

@@ -59,7 +59,7 @@ TEST_CASE("records up to the budget are fitted as a whole", "[gap][stretches]")
 }
 
 TEST_CASE("of a long record about the budget is fitted, and the one second that is unlike all others with it",
-          "[gap][stretches]")
+          "[gap][stretches][slow]")
 {
     auto long_one = repeated(case_of({}, 20), 25);
     for (std::size_t k = 340'000; k < 341'000; ++k) long_one.ticks.position[k] += 1e-2;

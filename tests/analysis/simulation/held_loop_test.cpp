@@ -54,7 +54,7 @@ constexpr Disturbance from_rest{DisturbanceKind::start, 0};
 
 }  // namespace
 
-TEST_CASE("a joint whose limit is below its static friction comes to rest for good", "[simulation][held]")
+TEST_CASE("a joint whose limit is below its static friction comes to rest for good", "[simulation][held][slow]")
 {
     Joint joint = falling(20);
     joint.control.effort_limit = 5.5;

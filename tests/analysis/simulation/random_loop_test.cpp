@@ -6,7 +6,8 @@
 
 using namespace stickslip;
 
-TEST_CASE("what does not reach the link in its first turns is no steady sliding of an unstable joint", "[loop][found]")
+TEST_CASE("what does not reach the link in its first turns is no steady sliding of an unstable joint",
+          "[loop][found][slow]")
 {
     // two masses with delayed friction on the link: evaluate said "stable-sliding" beside a growth of 124 1/s
     const auto joint = samples::random_loop(33);

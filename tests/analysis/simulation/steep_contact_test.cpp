@@ -106,7 +106,7 @@ Turn followed(const Flow& flow, int bodies, double x, Solver solver, double rtol
 
 }  // namespace
 
-TEST_CASE("a mass that turns round under a steep contact moves as in an integration by bisection", "[steep]")
+TEST_CASE("a mass that turns round under a steep contact moves as in an integration by bisection", "[steep][slow]")
 {
     const auto evolution = GENERATE(MemoryForm::slip, MemoryForm::ageing);
     const double f0_per_A = GENERATE(60.0, 25.0, 600.0);
@@ -142,7 +142,7 @@ TEST_CASE("of two masses on a stiff shaft the one under a steep contact turns ro
     CHECK(turn.state[4] == Approx(oracle.state).epsilon(0.02));
 }
 
-TEST_CASE("where the core is resolved the contact is no event, and both ways to follow it agree", "[steep]")
+TEST_CASE("where the core is resolved the contact is no event, and both ways to follow it agree", "[steep][slow]")
 {
     const double f0_per_A = GENERATE(10.0, 18.0, 21.0);
     const auto joint = rotary(f0_per_A);

@@ -43,7 +43,7 @@ int run_without_gl(const std::string& tag)
 
 }  // namespace
 
-TEST_CASE("every picture of a report is well-formed, described and has its numbers", "[picture]")
+TEST_CASE("every picture of a report is well-formed, described and has its numbers", "[picture][slow]")
 {
     const Report report = example::report();
     const auto figures = render(report);

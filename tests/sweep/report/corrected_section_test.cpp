@@ -32,7 +32,7 @@ Joint with_length(double L)
 
 }  // namespace
 
-TEST_CASE("the page of a cause shows both joints over their gains, and gains that are right", "[report]")
+TEST_CASE("the page of a cause shows both joints over their gains, and gains that are right", "[report][slow]")
 {
     // k_cr = ((B − A − k_v V_0)/L)(1 + m V_0/(L C)): 53.9 kN/m, and 117 kN/m for half the length
     const Joint before = with_length(1e-5), after = with_length(5e-6);
@@ -72,7 +72,7 @@ TEST_CASE("right gains are no softer than the joint's own where those may stay",
     CHECK(gains.right->best.k_p >= 8e3 * (1 - 1e-9));
 }
 
-TEST_CASE("what acts by position or time enters by simulation", "[report]")
+TEST_CASE("what acts by position or time enters by simulation", "[report][slow]")
 {
     // 100 N/mm of cogging beside 60 N/mm of the loop: linear theory has no term for it
     Joint before = example_joint(60e3, 200, 1e-3);
@@ -123,7 +123,7 @@ std::pair<Joint, Joint> behind_dead_time()
 
 }  // namespace
 
-TEST_CASE("right gains behind dead time without a period: stickslip design searches them", "[report]")
+TEST_CASE("right gains behind dead time without a period: stickslip design searches them", "[report][slow]")
 {
     const auto [before, after] = behind_dead_time();
     const auto late = corrected_gains(before, after, 1e-3, test::in_order);
@@ -147,7 +147,7 @@ TEST_CASE("right gains behind dead time with a period are searched", "[report][s
                Contains("Recommended for the joint with frictional-memory: k_{p} = ") && !Contains("states no period"));
 }
 
-TEST_CASE("an interruption of the search for gains leaves the rest of the page", "[report]")
+TEST_CASE("an interruption of the search for gains leaves the rest of the page", "[report][slow]")
 {
     const Joint before = with_length(1e-5), after = with_length(5e-6);
     const auto gains = corrected_gains(before, after, 1e-3, [](std::size_t, const auto&) { throw gap::Interrupted(); });
@@ -159,7 +159,7 @@ TEST_CASE("an interruption of the search for gains leaves the rest of the page",
     CHECK(section.tables.size() == 1);  // how both joints move
 }
 
-TEST_CASE("a joint that is commanded backwards has its boundary, its motions and its gains", "[report]")
+TEST_CASE("a joint that is commanded backwards has its boundary, its motions and its gains", "[report][slow]")
 {
     Joint before = with_length(1e-5), after = with_length(5e-6);
     for (Joint* joint : {&before, &after}) {  // the same law with an answer backwards, too

@@ -161,7 +161,7 @@ TEST_CASE("the root locus of a lag crosses the axis at the ends of its windows",
     CHECK(crossed.count(2) == 0);
 }
 
-TEST_CASE("a joint that moves backwards has the page of one that moves forwards", "[figures]")
+TEST_CASE("a joint that moves backwards has the page of one that moves forwards", "[figures][slow]")
 {
     for (const double gain : {1.0, -1.0}) {
         Joint joint;

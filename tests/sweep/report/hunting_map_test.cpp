@@ -43,7 +43,7 @@ BoundaryAnswer hunting_answer()
 
 }  // namespace
 
-TEST_CASE("a chart of hunting shows where the joint hunts and where the loop diverges", "[report][set-point]")
+TEST_CASE("a chart of hunting shows where the joint hunts and where the loop diverges", "[report][set-point][slow]")
 {
     const auto answer = hunting_answer();
     const auto report = boundary_report(answer);
@@ -68,7 +68,7 @@ TEST_CASE("a chart of hunting shows where the joint hunts and where the loop div
     CHECK(map.lines.size() == 1);
 }
 
-TEST_CASE("a boundary behind which the loop diverges is not shown as the end of hunting", "[report][set-point]")
+TEST_CASE("a boundary behind which the loop diverges is not shown as the end of hunting", "[report][set-point][slow]")
 {
     const auto answer = hunting_answer();
     // Routh: k_v k_p = m k_i, from the design of k_p = 100 and k_i = 100 down to 5 and up to 2000

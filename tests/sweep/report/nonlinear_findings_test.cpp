@@ -33,7 +33,7 @@ Slice strip(double from, double to)
 
 }  // namespace
 
-TEST_CASE("findings: share, place and reach of what the linear chart gets wrong", "[report]")
+TEST_CASE("findings: share, place and reach of what the linear chart gets wrong", "[report][slow]")
 {
     // at k_v = 47.5: k_cr = 19449, fold at 24849 N/m; for the three rows k_cr = (0.5 − c)·1e5·(1 + 10/(1 + c)), c =
     // k_v/100

@@ -76,7 +76,7 @@ TEST_CASE("uneven loop: a fine encoder changes no region of the bistable strip",
     }
 }
 
-TEST_CASE("uneven loop: a cycle that grows slowly is waited for", "[sampled]")
+TEST_CASE("uneven loop: a cycle that grows slowly is waited for", "[sampled][slow]")
 {
     for (const double k_p : {2e4, 3e4}) {
         CAPTURE(k_p);

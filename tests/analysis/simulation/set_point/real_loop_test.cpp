@@ -85,7 +85,7 @@ TEST_CASE("a late loop that is unstable while it moves holds no set point", "[se
     CHECK(largest_of_late(held_from(without, 1, 10), 0.1) > 1e3);
 }
 
-TEST_CASE("hunting of a sampled, late loop is that of its record", "[set-point]")
+TEST_CASE("hunting of a sampled, late loop is that of its record", "[set-point][slow]")
 {
     for (const double delay : {0.0, 0.004, 0.0085}) {
         Joint joint = published(1e-3, delay);  // with the gains of the first published loop: cycles of 3 s
@@ -136,7 +136,7 @@ TEST_CASE("gravity pulls at a set point as a constant load of its size does", "[
     CHECK(std::abs(held_from(pulled, 0, 5).back()) <= 3.3 / 450);
 }
 
-TEST_CASE("a load that the limits cannot hold is not held by any integral", "[set-point]")
+TEST_CASE("a load that the limits cannot hold is not held by any integral", "[set-point][slow]")
 {
     Joint joint = arm(100);
     joint.load.gravity_amplitude = 20, joint.load.gravity_phase = pi / 2;

@@ -38,7 +38,7 @@ bool moves(const Joint& joint, double start, double duration)
 
 }  // namespace
 
-TEST_CASE("a rest lies within the last encoder step in the dead zone and half a step", "[set-point]")
+TEST_CASE("a rest lies within the last encoder step in the dead zone and half a step", "[set-point][slow]")
 {
     constexpr double hair = 1e-3;
     for (const double zone : {0.0, 1e-4, 1.73e-4, 2.15e-4, 4e-4})

@@ -203,7 +203,7 @@ TEST_CASE("with LuGre hunting ends where the slips are no longer than the bristl
     CHECK(stiff.hunting == Hunting::no);
 }
 
-TEST_CASE("what is not judged at a set point says why", "[set-point]")
+TEST_CASE("what is not judged at a set point says why", "[set-point][slow]")
 {
     auto joint = joint_of({1, 2, 18, 30}, KineticStatic{0.327, 0.981});
     joint.control.kind = ControlKind::force;

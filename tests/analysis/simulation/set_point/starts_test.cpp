@@ -78,7 +78,7 @@ double middle(const StartRange& range)
 
 }  // namespace
 
-TEST_CASE("friction that is flat at rest lets small slips creep home: from nearby it rests", "[set-point]")
+TEST_CASE("friction that is flat at rest lets small slips creep home: from nearby it rests", "[set-point][slow]")
 {
     Joint continuous = small_slide();
     continuous.control.period = not_set;
@@ -103,7 +103,7 @@ TEST_CASE("friction that is flat at rest lets small slips creep home: from nearb
     }
 }
 
-TEST_CASE("a loop that diverges from far away hunts from nearby where friction bounds it", "[set-point]")
+TEST_CASE("a loop that diverges from far away hunts from nearby where friction bounds it", "[set-point][slow]")
 {
     const Joint joint = lagging_stage();
     const auto s = set_point(joint);

@@ -125,8 +125,10 @@ bool SampledLoop::begin_slower(double share)
     const double full = steady_command_;
     if (!slide(std::max(share, slowest) * frame_reading_, 0) && (share != 0 || !slide(frame_reading_, 0))) return false;
     steady_command_ = full;
+    // friction that needs motion knows no rest: its body creeps
     if (share == 0)
-        for (int i = 0; i < motion.joint.bodies(); ++i) motion.joint.set_velocity(motion.y.data(), i, 0);
+        for (int i = 0; i < motion.joint.bodies(); ++i)
+            if (!motion.joint.logarithmic(i)) motion.joint.set_velocity(motion.y.data(), i, 0);
     motion.enter();
     return true;
 }

@@ -43,6 +43,10 @@ struct NonlinearVerdict {
     /// The encoder's steps, noise or forces that change on the way alone lead into the cycle, although smaller
     /// disturbances decay.
     bool noise_suffices = false;
+    /// Places at which a load that changes slowly with the position was held; the answer is that of the worst. 0: none
+    /// was.
+    int held_places = 0;
+    bool places_alike = true;    ///< all of them have its outcome and region
     bool used_fallback = false;  ///< CVODE gave up on the way and Rodas5P finished
 
     /// Whether what does not slide on comes to rest for good, where limits keep its static friction from breaking.

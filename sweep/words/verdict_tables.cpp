@@ -9,6 +9,8 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/searched_gains.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -108,6 +110,10 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
     if (v.region == NonlinearRegion::stable)
         table.rows.push_back(
             {"larger disturbances", "also end in steady sliding: " + larger_tried_text(v.searched_from)});
+    if (v.held_places > 0)
+        table.rows.push_back({"load that changes slowly with the position",
+                              fmt::format("held at {} places, where it pulls most and where it changes most: {}",
+                                          v.held_places, v.places_alike ? "the same at all" : "this is the worst")});
     if (v.repeats > 1) table.rows.push_back({"cycles after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 4)});

@@ -141,7 +141,7 @@ TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and
     sweep(folder, "a", "1e-5");
     const auto page = folder / "a/report.html", stored = folder / "a/answer.json";
     const auto first = program::read(page), answer = program::read(stored);
-    CHECK_THAT(answer, StartsWith("{\"format\":\"stickslip-sweep/5\""));
+    CHECK_THAT(answer, StartsWith("{\"format\":\"stickslip-sweep/6\""));
     const std::string again = "report '" + (folder / "a") + "'";
     REQUIRE(stickslip(again).exit_code == 0);
     CHECK(program::read(page) == first);
@@ -158,7 +158,7 @@ TEST_CASE("a finished sweep is drawn from its stored answers, byte for byte, and
 
     // without it, or with that of another sweep, it is made again
     for (const std::string& other :
-         {std::string(), std::string("{\"format\":\"stickslip-sweep/5\",\"plan_id\":\"x\"}")}) {
+         {std::string(), std::string("{\"format\":\"stickslip-sweep/6\",\"plan_id\":\"x\"}")}) {
         std::filesystem::remove(stored);
         if (!other.empty()) folder.write("a/answer.json", other);
         REQUIRE(stickslip(again).exit_code == 0);

@@ -14,6 +14,7 @@
 #include "analysis/stability/real_loop.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace stickslip {
 namespace {
@@ -96,7 +97,7 @@ std::optional<LoopVerdict> obstacle(const Joint& joint)
     if (!(joint.control.k_p * joint.actuator.effort_gain > 0)) return refused(Reason::diverges);
     if (const double tick = tick_of(joint); !(tick > 0) || !(joint.dead_time() < work::ticks_of_dead_time * tick))
         return refused(Reason::not_finite, Detail::no_time_step);
-    if (!(changes_in_all * longest_change(joint) < static_cast<double>(work::ticks_of_motion) * tick_of(joint)))
+    if (!(longest_change(joint) < longest_followed_change(joint)))
         return refused(Reason::unsupported, Detail::place_or_time);
     if (chatters(joint)) return refused(Reason::no_steady_state, Detail::chatters);
     return {};
@@ -111,6 +112,16 @@ double spring_rate(const Joint& joint)
 }
 
 }  // namespace
+
+double longest_followed_change(const Joint& joint)
+{
+    return static_cast<double>(work::ticks_of_motion) * tick_of(joint) / changes_in_all;
+}
+
+double swing_of_gain(const Joint& joint)
+{
+    return 2 * std::numbers::pi / spring_rate(acting_joint(joint));
+}
 
 bool has_real_loop(const Joint& joint)
 {

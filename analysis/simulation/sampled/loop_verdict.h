@@ -36,6 +36,12 @@ bool has_real_loop(const Joint& joint);
 /// Whether only the ticks of its loop follow its motion: forces that change on the way have no flow of their own.
 bool takes_ticks(const Joint& joint);
 
+/// A change with position or time must repeat within this time for a motion to be followed until it does, s.
+double longest_followed_change(const Joint& joint);
+
+/// Period in which the joint swings on the spring of its gain, s.
+double swing_of_gain(const Joint& joint);
+
 /// What tells the growth of small disturbances: their motion, or the theory of the linear loop, which is exact there.
 enum class GrowthBy : std::uint8_t { motion, theory };
 

@@ -78,7 +78,8 @@ void fields(A& a, Like<NonlinearVerdict> auto& v)
 {
     a("outcome", v.outcome), a("region", v.region), a("disturbance", v.disturbance);
     a("growth_rate", v.growth_rate), a("amplitude", v.amplitude), a("jitter", v.jitter);
-    a("noise_suffices", v.noise_suffices), a("velocity_min", v.velocity_min);
+    a("noise_suffices", v.noise_suffices), a("held_places", v.held_places), a("places_alike", v.places_alike);
+    a("velocity_min", v.velocity_min);
     a("velocity_max", v.velocity_max), a("period", v.period), a("stick_fraction", v.stick_fraction);
     a("overshoot", v.overshoot), a("multipliers", v.multipliers), a("repeats", v.repeats);
     a("criticality", v.criticality), a("lyapunov", v.lyapunov), a("fold_k_p", v.fold_k_p), a("path", v.path);

@@ -72,6 +72,8 @@ nlohmann::ordered_json nonlinear_json(const NonlinearVerdict& v)
     return {{"outcome", code_name("outcome", static_cast<std::uint8_t>(v.outcome))},
             {"region", region_name(v.region)},
             {"noise_suffices", v.noise_suffices},
+            {"held_places", v.held_places},
+            {"places_alike", v.places_alike},
             {"disturbance", {{"kind", kind_name(v.disturbance.kind)}, {"size", json_number(v.disturbance.size)}}},
             {"growth_rate", json_number(v.growth_rate)},
             {"amplitude", json_number(v.amplitude)},

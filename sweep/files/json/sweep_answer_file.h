@@ -9,7 +9,7 @@
 namespace stickslip {
 
 inline constexpr char sweep_answer_name[] = "answer.json";
-inline constexpr char sweep_answer_format[] = "stickslip-sweep/5";
+inline constexpr char sweep_answer_format[] = "stickslip-sweep/6";
 
 /// Whole or not at all. Throws as write_whole does.
 void write_sweep_answer(const SweepAnswer& answer, const std::filesystem::path& directory);

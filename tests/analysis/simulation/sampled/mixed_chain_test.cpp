@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/simulation/attractor/nonlinear.h"
+#include "analysis/simulation/sampled/loop_verdict.h"
 #include "tests/analysis/simulation/joints.h"
 
 using namespace stickslip;
@@ -17,7 +18,7 @@ TEST_CASE("sampled loop: larger disturbances are followed where one body can res
         joint.frictions.motor.law = CoulombViscous{.coulomb = 5, .viscous = 20};
         joint.frictions.link = joint.friction;
         joint.control.period = 1e-4;
-        const auto sampled = nonlinear_verdict(joint, {});
+        const auto sampled = loop_verdict(joint, {});
         joint.control.period = not_set, joint.control.velocity_estimate = {};
         const auto continuous = nonlinear_verdict(joint, {});
         INFO("k_p " << k_p);

@@ -90,12 +90,7 @@ TEST_CASE("unsteady: what does not repeat soon enough has no outcome, and says s
 {
     Joint drifting = sliding();
     drifting.friction.drift.change = 1, drifting.friction.drift.time_constant = 5;
-    Joint hanging = sliding();
-    hanging.mechanism.motion = Motion::revolute;
-    hanging.load.gravity_amplitude = 3, hanging.control.V0 = 1e-6;  // a turn takes 73 days
-    for (const Joint& joint : {drifting, hanging}) {
-        const auto verdict = nonlinear_verdict(joint, {});
-        CHECK(verdict.outcome == Outcome::undecided);
-        CHECK(verdict.detail == Detail::place_or_time);
-    }
+    const auto verdict = nonlinear_verdict(drifting, {});
+    CHECK(verdict.outcome == Outcome::undecided);
+    CHECK(verdict.detail == Detail::place_or_time);
 }

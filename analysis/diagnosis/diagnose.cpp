@@ -213,10 +213,10 @@ void report_interrupted(DiagnosisStage stage, const Joint& joint, DiagnosisResul
     d.ladder.clear();
     d.ambiguous_with.clear();
     d.next_experiment = {};
+    if (d.overall.floor == 0) d.overall = {missing, missing, missing, missing};  // nothing was predicted yet
     result.after = joint;
-    Note note{.code = d.signals.empty() ? Note::Code::interrupted_early : Note::Code::interrupted_located,
-              .names = stages_from(stage)};
-    d.reasons = {note};
+    d.reasons = {{.code = d.signals.empty() ? Note::Code::interrupted_early : Note::Code::interrupted_located,
+                  .names = stages_from(stage)}};
 }
 
 }  // namespace

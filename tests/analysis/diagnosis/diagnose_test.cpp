@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
 using namespace stickslip;
@@ -184,6 +185,8 @@ TEST_CASE("an interrupted diagnosis says what was not looked at, keeps what was 
         CHECK(d->verdict == Verdict::unknown);
         CHECK_FALSE(d->signals.empty());
         REQUIRE(d->reasons.size() == 1);
+        CHECK(std::isnan(d->overall.before));  // 0 would be no gap
+        CHECK(std::isnan(d->overall.explained));
     }
     CHECK(early.effects.empty());
     CHECK(early.reasons[0].code == Note::Code::interrupted_located);

@@ -16,6 +16,8 @@ constexpr double turn = 2 * std::numbers::pi;
 /// by 6 % of its amplitude at most.
 constexpr double turns_of_slow_load = 100;
 constexpr double rounding = 1e-12;
+/// Of the effort, behind a place that took it all: the others are like it, and only one that cycles changes the answer.
+constexpr double effort_behind_open = 0.25;
 /// Of a wave, where it is highest, lowest and steepest; with a second harmonic they lie between these, too.
 constexpr int places_of_wave = 4, places_of_two_harmonics = 8;
 
@@ -86,11 +88,16 @@ HeldLoad held(const Joint& joint, double slowest_followed, double fastest_held)
     return load;
 }
 
+bool is_open(const NonlinearVerdict& v)
+{
+    return v.outcome == Outcome::undecided || v.outcome == Outcome::solver_failure ||
+           v.region == NonlinearRegion::undecided;
+}
+
 /// The worst first: motions that do not slide, those that a larger disturbance reaches, what is not known.
 std::tuple<int, double, double> badness(const NonlinearVerdict& v)
 {
-    const bool open = v.outcome == Outcome::undecided || v.outcome == Outcome::solver_failure ||
-                      v.region == NonlinearRegion::undecided;
+    const bool open = is_open(v);
     const bool slides = v.outcome == Outcome::stable_sliding;
     const int rank = !open && !slides ? 3 : v.region == NonlinearRegion::bistable ? 2 : open ? 1 : 0;
     const auto size = [](double x) { return std::isfinite(x) ? x : -infinity; };
@@ -130,7 +137,11 @@ std::optional<NonlinearVerdict> slow_load_verdict(const Joint& joint, const Nonl
     const auto held = held_where_load_is_slow(joint);
     if (held.places.empty()) return {};
     std::vector<NonlinearVerdict> verdicts;
-    for (const Joint& place : held.places) verdicts.push_back(nonlinear_verdict(place, options));
+    NonlinearOptions asked = options;
+    for (const Joint& place : held.places) {
+        verdicts.push_back(nonlinear_verdict(place, asked));
+        if (is_open(verdicts.back())) asked.effort = effort_behind_open * options.effort;
+    }
     return worst_of(verdicts, held.repeats_after);
 }
 

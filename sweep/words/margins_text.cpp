@@ -66,9 +66,8 @@ std::string alone_name(const MarginsAnswer& a, std::size_t place)
     const auto alike =
         std::ranges::count_if(a.alone_of, [&](const Coordinate& c) { return coordinate_text(c, units) == name; });
     if (alike < 2) return name;
-    for (const char* body : {"motor", "transmission", "link"})
-        if (a.alone_of[place].path.find("." + std::string(body) + ".") != std::string::npos)
-            return name + " of the " + body;
+    for (const std::string body : {"motor", "transmission", "link"})
+        if (a.alone_of[place].path.find('.' + body + '.') != std::string::npos) return name + " of the " + body;
     return name;
 }
 

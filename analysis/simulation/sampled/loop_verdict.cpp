@@ -268,8 +268,10 @@ void LoopInquiry::begin_stated()
         }
         const double unit = std::abs(mode_.right[static_cast<std::size_t>(j.bodies())]);
         const double speed = j.logarithmic(0) ? 1 : std::abs(V0);
-        for (std::size_t i = 0; i < steady_.size(); ++i)
-            lifted_state[i] += lifted * speed / unit * mode_.right[i].real();
+        auto along = mode_.right.begin();
+        for (std::size_t i = 0; i < steady_.size();
+             ++i)  // the mode is of the joint without changes, which has no clock
+            if (static_cast<int>(i) != j.clock_index()) lifted_state[i] += lifted * speed / unit * (along++)->real();
         loop_->set_state(lifted_state);
         loop_->motion.enter();
     } else if (!disturb_loop(*loop_, joint_, disturbance)) {

@@ -56,6 +56,7 @@ class DrivenJoint {
     bool has_lag() const { return lag_index_ >= 0; }
     double& clock(double* y) const { return y[clock_index_]; }
     bool has_clock() const { return clock_index_ >= 0; }
+    int clock_index() const { return clock_index_; }  ///< −1 without a clock
     bool logarithmic(int i) const { return body_[i].logarithmic; }
     int states(int i) const { return body_[i].states; }
     int first_state(int i) const { return body_[i].first_state; }

@@ -55,11 +55,13 @@ def _input(given: JointLike | SpecLike) -> Iterator[Path]:
 def _from_here(tables: Mapping[str, Any]) -> Mapping[str, Any]:
     """Files that the tables name are looked up from the working directory: there is no file that they could be beside."""
     found = dict(tables)
-    joint, friction = tables.get("joint"), tables.get("friction")
+    joint, friction, robot = tables.get("joint"), tables.get("friction"), tables.get("robot")
     if isinstance(joint, str):
         found["joint"] = str(Path(joint).absolute())
     if isinstance(friction, Mapping) and isinstance(friction.get("table"), str):
         found["friction"] = {**friction, "table": str(Path(friction["table"]).absolute())}
+    if isinstance(robot, Mapping) and isinstance(robot.get("file"), (str, Path)):
+        found["robot"] = {**robot, "file": str(Path(robot["file"]).absolute())}
     return found
 
 
@@ -251,7 +253,7 @@ def diagnose_robot(robot: str | Path | Mapping[str, JointLike], logs: Any, direc
     """
     import pandas
 
-    from .records import as_frame
+    from .records import as_frame, write_csv
 
     with tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
         if isinstance(robot, Mapping):
@@ -261,7 +263,7 @@ def diagnose_robot(robot: str | Path | Mapping[str, JointLike], logs: Any, direc
         for number, one in enumerate(given):
             if isinstance(one, (Mapping, pandas.DataFrame)):
                 files.append(Path(temporary) / f"log-{number + 1}.csv")
-                as_frame(f"log {number + 1}", one).to_csv(files[-1], index=False)
+                write_csv(as_frame(f"log {number + 1}", one), files[-1])
             else:
                 files.append(one)
         folder = Path(directory) if directory else Path(temporary) / "diagnosis"

@@ -28,9 +28,6 @@ inline constexpr double noise_not_white = 0.06;
 /// Part of that RMS that noise with a memory may leave. Reason: a memory that explains less is not the noise's.
 /// Evidence: in the same 13 cases noise with a memory leaves a third at most.
 inline constexpr double noise_with_memory_leaves = 0.5;
-/// Part of the known reading error below which a grid has no influence. Reason: squares add, and a hundredth of a
-/// square is nothing. Evidence: none yet; chosen.
-inline constexpr double felt_grid = 0.1;
 /// Multiple of the documented step above which a grid is coarser than documented. Reason: a step larger by a third is
 /// another converter. Evidence: in 50 cases of two other simulators, of 200 values none lies between 1 and 16.
 inline constexpr double coarser_grid = 1.3;

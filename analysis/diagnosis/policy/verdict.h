@@ -24,9 +24,6 @@ inline constexpr double doubt_of_accepted = 0.015;
 /// The same where more than noise remains. Reason: as `doubt_of_accepted`. Evidence: the calibration of the blind
 /// batches in docs/validation.md.
 inline constexpr double doubt = 0.15;
-/// Largest value of that probability. Reason: a named cause has a chance, or it would not be named. Evidence: none yet;
-/// chosen. It is a cap: an answer with so much doubt is stated as the nearest cause at most.
-inline constexpr double most_doubt = 0.95;
 /// Part of the misfit beyond the noise that one cause must explain to be accepted although a remainder exists. Reason:
 /// stick-slip amplifies the differences of two integrators. Evidence: in other cases, of nine values none lies between
 /// 0.82 and 0.977.
@@ -71,9 +68,6 @@ inline constexpr double turned_back = 2.0 / 3;
 /// states; ten times as much is something else. Evidence: in 50 cases of two other simulators, of 1953 values none is
 /// above 8.8.
 inline constexpr double implausible_size = 10;
-/// Least usual size that counts for `implausible_size`, in units of the parameter. Reason: a parameter whose usual size
-/// is next to nothing would be implausible whenever it is there. Evidence: none yet; chosen.
-inline constexpr double least_prior = 0.1;
 /// Correlation, second by second, of the residual and what an effect takes out of it, from which on a second shows the
 /// signature of the effect. Reason: half of the squares of such a second (0.7² = 0.49) are due to the effect.
 /// Definition: "signature" on the page.

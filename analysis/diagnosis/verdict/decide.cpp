@@ -117,7 +117,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
     const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
     const double else_ = !decision.named  ? 1 - policy::believed_unnamed
                          : first.accepted ? policy::doubt_of_accepted + 0.5 * unexplained
-                                          : std::min(policy::most_doubt, policy::doubt + unexplained);
+                                          : policy::doubt + unexplained;
     for (auto& r : all) r.probability *= (1 - else_) / sum;
     return all;
 }

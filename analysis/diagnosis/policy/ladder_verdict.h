@@ -32,7 +32,7 @@ inline constexpr double taken_by_free_force = 0.5;
 inline constexpr double all_but_explained = 0.01;
 /// Part of the gap beyond the corrections. If one cause leaves more of the explainable gap, pairs are searched. Reason:
 /// two effects can explain more together than the sum of both alone; below this part the next rung finds the second.
-/// Evidence: in other cases, of four values none lies between 0.07 and 0.19.
+/// Evidence: of nine values in nine other cases none lies between 0.09 and 0.167.
 inline constexpr double worth_a_search_of_pairs = 0.1;
 /// Probability that a rung is wrong although the ladder leaves only noise. Reason: twice that of a cause that needs no
 /// corrections (`doubt_of_accepted`), because corrections may have absorbed a part of another cause. Evidence: the nine
@@ -135,8 +135,8 @@ inline constexpr double believed_held_back = 0.5;
 /// cause is no answer beside one that is likelier. Definition: likelier than all causes together, a half.
 inline constexpr double likelier = 0.5;
 /// Findings of the audit from which on the record is called that of another joint and nothing else is concluded.
-/// Reason: encoder and controller of one machine are set one by one, and seldom three of them wrongly. Evidence: in 50
-/// cases of two other simulators, of 50 values none is above 1.
+/// Reason: encoder and controller of one machine are set one by one, and seldom three of them wrongly. Evidence: of 141
+/// values in 141 other cases none is above 2.
 inline constexpr double findings_of_another_joint = 3;
 
 /// Smallest readings (a step of the encoder, or its noise) up to which a slip length is not resolved. Reason: a memory

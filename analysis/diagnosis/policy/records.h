@@ -62,8 +62,8 @@ inline constexpr double doubted_estimate = 1.03;
 /// effort has less noise than a thousandth.
 inline constexpr double model_noise_of_effort = 1e-3;
 /// Part of a row by which the median step of a log may differ from a multiple of the loop's period for its stamps to be
-/// moved to an even clock. Reason: a log of another rate has no such clock. Evidence: in 50 cases of two other
-/// simulators, of 150 values none is above 1e-13.
+/// moved to an even clock. Reason: a log of another rate has no such clock. Evidence: of 371 values in 138 other cases
+/// none is above 0.001.
 inline constexpr double whole_row = 0.05;
 /// RMS scatter of stamps, part of a row, up to which they are moved to an even clock without asking the readings.
 /// Reason: what is scattered by more may be uneven in truth: then readings decide. Evidence: of 62 values in 17 other

@@ -13,7 +13,10 @@ inline nlohmann::ordered_json comparisons()
     using Json = nlohmann::ordered_json;
     const auto json = [](const Compared::Side& side) {
         const auto end = side.nearest.begin() + static_cast<std::ptrdiff_t>(side.stored);
-        return Json{{"count", side.count}, {"nearest", std::vector(side.nearest.begin(), end)}};
+        return Json{{"count", side.count},
+                    {"close", side.close},
+                    {"nearest", std::vector(side.nearest.begin(), end)},
+                    {"furthest", side.furthest}};
     };
     Json all = Json::object();
     for (const auto& entry : gap::policy::entries) {

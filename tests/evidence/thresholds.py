@@ -2,7 +2,8 @@
 """What thresholds were compared with, and whether answers changed, from the lines that `thresholds` prints.
 
     build/tests/evidence/thresholds CASES/* >lines                      every threshold as it is
-    tests/evidence/thresholds.py lines                                  a table: the nearest values on either side
+    tests/evidence/thresholds.py lines                                  a table: values on either side, within a factor
+                                                                        of two, the nearest and the furthest
     build/tests/evidence/thresholds NAME=VALUE CASES/* >changed         the same cases with another value
     tests/evidence/thresholds.py changed --before lines                 the answers that differ
     build/tests/evidence/thresholds_of_tests "[gap]" 2>lines            the same of tests of the diagnosis
@@ -12,8 +13,6 @@ import argparse
 import json
 from collections import defaultdict
 
-KEPT = 6  # traced.h
-
 
 def lines_of(file):
     with open(file, encoding="utf-8") as text:
@@ -21,18 +20,24 @@ def lines_of(file):
 
 
 def table(cases):
-    below, above, counts = defaultdict(list), defaultdict(list), defaultdict(int)
+    sides = ("below", "above")
+    counts, close, furthest = [defaultdict(lambda: dict.fromkeys(sides, 0)) for _ in range(3)]
+    nearest = defaultdict(lambda: {side: [] for side in sides})
     for name, case in cases.items():
-        for threshold, sides in case["thresholds"].items():
-            for side, all_values in (("below", below), ("above", above)):
-                counts[threshold] += sides[side]["count"]
+        for threshold, of in case["thresholds"].items():
+            for side, pick in zip(sides, (min, max)):
+                counts[threshold][side] += of[side]["count"]
+                close[threshold][side] += of[side]["close"]
                 # what is not a number in JSON is infinite, and near nothing
-                all_values[threshold] += [(value, name) for value in sides[side]["nearest"] if value is not None]
-    print(f"{'threshold':36}{'compared':>9}  nearest below … nearest above")
+                nearest[threshold][side] += [(value, name) for value in of[side]["nearest"] if value is not None]
+                if of[side]["count"] and of[side]["furthest"] is not None:
+                    furthest[threshold][side] = pick(furthest[threshold][side] or of[side]["furthest"], of[side]["furthest"])
+    print(f"{'threshold':36}{'below':>9}{'above':>9}{'close':>7}  least, nearest below … nearest above, largest")
     for threshold, count in counts.items():
-        low = [f"{value:.4g} ({case})" for value, case in sorted(below[threshold])[-KEPT:]]
-        high = [f"{value:.4g} ({case})" for value, case in sorted(above[threshold])[:KEPT]]
-        print(f"{threshold:36}{count:9}  {', '.join(low[-3:])} … {', '.join(high[:3])}")
+        low = [f"{value:.4g} ({case})" for value, case in sorted(nearest[threshold]["below"])[-3:]]
+        high = [f"{value:.4g} ({case})" for value, case in sorted(nearest[threshold]["above"])[:3]]
+        print(f"{threshold:36}{count['below']:9}{count['above']:9}{sum(close[threshold].values()):7}  "
+              f"{furthest[threshold]['below']:.4g}, {', '.join(low)} … {', '.join(high)}, {furthest[threshold]['above']:.4g}")
 
 
 def answer(case):

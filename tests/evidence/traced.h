@@ -13,22 +13,25 @@ namespace stickslip::evidence {
 template <class T>
 concept Arithmetic = std::is_arithmetic_v<T>;
 
-/// What was compared with one threshold, in its own unit: how much of it on either side, and the nearest values.
+/// What was compared with one threshold, in its own unit: how much of it on either side, how much within a factor of
+/// two, the nearest values and the furthest.
 struct Compared {
     static constexpr std::size_t kept = 6;
     const char* name;
     struct Side {
-        long count = 0;
+        long count = 0, close = 0;
         std::size_t stored = 0;
         std::array<double, kept> nearest{};  ///< the nearest first, each value once
+        double furthest = 0;
     };
     Side below, above;
 
     void record(double value, double threshold)
     {
         if (std::isnan(value)) return;
-        auto& [count, stored, nearest] = value > threshold ? above : below;
-        ++count;
+        auto& [count, close, stored, nearest, furthest] = value > threshold ? above : below;
+        if (count++ == 0 || std::abs(value - threshold) > std::abs(furthest - threshold)) furthest = value;
+        if (std::min(value / threshold, threshold / value) > 0.5) ++close;
         std::size_t at = 0;
         while (at < stored && std::abs(nearest[at] - threshold) < std::abs(value - threshold)) ++at;
         if (at == kept || (at < stored && nearest[at] == value)) return;

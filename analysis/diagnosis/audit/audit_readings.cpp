@@ -21,8 +21,7 @@ void audit_grid(std::vector<Case>& cases, Audit& result)
     }
     const Sensor documented = cases[0].joint.sensor;
     const bool coarser = quantum < infinity && coarser_grid(quantum, documented);
-    const double known = std::hypot(documented.position_noise, documented.encoder_quantum / std::sqrt(12.0));
-    if (!coarser || quantum / std::sqrt(12.0) < policy::felt_grid * known) return;
+    if (!coarser) return;
     if (!cases[0].noise_documented) {
         // without a documented sensor a fine or a round grid may be nothing but the digits of the file
         constexpr double visible = 1e-3, round = 1e-3;  // numerical: of the span; of the digit

@@ -150,7 +150,7 @@ double size_of(const CommandTerms& all, const Changed& changed, int term)
 /// reference's before a tick or after it, and jumps, and small changes of the gains follow that as far as they can.
 Changed standing_out(const CommandTerms& all, Changed changed)
 {
-    const double least = policy::rough_multiple * changed.fit.misfit;
+    const auto least = policy::rough_multiple * changed.fit.misfit;
     std::erase_if(changed.terms, [&](int term) { return size_of(all, changed, term) < least; });
     changed.fit = fit_terms(all, changed.terms);
     return changed;

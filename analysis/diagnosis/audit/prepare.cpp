@@ -83,9 +83,9 @@ void find_reading_noise(Case& c, const Record& record, std::vector<Note>& notes)
     if (coarser) gridded.encoder_quantum = grid;
     // a documented noise is used unless it is clearly too small, the more so where rounding in the loop shakes the
     // joint; a step of the encoder alone says nothing of noise
-    const double believed = !(c.joint.sensor.position_noise > 0) ? policy::noise_of_step
-                            : coarser                            ? policy::noise_beside_grid
-                                                                 : policy::noise_believed;
+    const auto believed = !(c.joint.sensor.position_noise > 0) ? policy::noise_of_step
+                          : coarser                            ? policy::noise_beside_grid
+                                                               : policy::noise_believed;
     if (!documented || estimated > believed * reading_sigma(gridded, span)) {
         notes.push_back(
             {documented ? Note::Code::noisier_than_documented : Note::Code::no_documented_noise, record.name});

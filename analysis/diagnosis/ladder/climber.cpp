@@ -16,7 +16,7 @@ constexpr std::size_t looks_at_once = 4, sets_at_once = 3;
 /// gains: a limit that one step alone reaches does nothing in the others.
 bool worse_in_no_fold(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
-    const double most = std::max(margin_of(with, rules), rules.lost_in_a_fold * (without.misfit - with.misfit));
+    const auto most = std::max(margin_of(with, rules), rules.lost_in_a_fold * (without.misfit - with.misfit));
     for (std::size_t f = 0; f < HeldOutData::folds; ++f)
         if (!(mean_log(with.left[f]) < mean_log(without.left[f]) + most) && !with.left[f].empty()) return false;
     return true;
@@ -40,7 +40,8 @@ double part_taken(const FittedSet& without, const FittedSet& with)
 
 bool earns(const FittedSet& without, const FittedSet& with, const LadderRules& rules)
 {
-    return worse_in_no_fold(without, with, rules) && without.misfit - with.misfit > least_gain(with, rules) &&
+    const double gain = without.misfit - with.misfit;
+    return worse_in_no_fold(without, with, rules) && gain > margin_of(with, rules) && gain > rules.worth_a_rung &&
            part_taken(without, with) > rules.of_the_rest;
 }
 

@@ -8,8 +8,8 @@ namespace stickslip::gap::policy {
 /// noted by ear is sometimes wrong; a law that misses every eighth row is not the joint's. Evidence: in the tests of
 /// tables, of five laws none misjudges between 0.056 and 0.55.
 inline constexpr double most_misjudged = 0.12;
-/// Part of its rows that may contradict each other. Reason: a table of two joints is no table of one. Evidence: none
-/// yet; chosen. In the tests no table of one joint contradicts itself.
+/// Part of its rows that may contradict each other. Reason: a table of two joints is no table of one. Evidence: in the
+/// tests of tables, of six values none lies between 0 and 0.33.
 inline constexpr double most_contradicting = 0.15;
 /// Held-out log-likelihood by which one friction law must be better than another; laws that are nearer, and a nominal
 /// joint that is, cannot be distinguished. Reason: rows are few, and their likelihood is rough. Definition: "cannot be
@@ -32,7 +32,7 @@ inline constexpr double wrong_rows = 0.02;
 /// chosen. It bounds the cost of a row.
 inline constexpr double worst_amplitude = 3;
 /// Kinds of friction that explain a table alike from which on none of them is named. Reason: a choice among so many is
-/// no answer. Evidence: none yet; chosen.
+/// no answer. Evidence: none yet; chosen. In the tests of tables no answer has more than one kind.
 inline constexpr double too_many_kinds = 3;
 /// numerical: rows of a rig's record that are held out together, every third block in turn. Reason: whoever measures
 /// writes more rows where more happens, so that every third has its part of a transient.
@@ -53,33 +53,38 @@ inline constexpr double price_of_rig_parameter = 0.005;
 /// the mean square, twice that for the RMS. Evidence: in the tests a constant friction reaches 0.97, and rigs with
 /// memory, Stribeck or viscous friction 2.0 to 5.7.
 inline constexpr double quiet_rig = 1.06;
-/// Probability of all laws of a rig together. Reason: the catalogue is finite. Evidence: none yet; chosen. A twentieth
-/// is left for laws outside it; it scales every probability of a rig and decides no name.
+/// Probability of all laws of a rig together. Reason: the catalogue is finite. Evidence: the four rigs that were
+/// answered with a law, two measured and two of another simulator, have it. A twentieth is left for laws outside the
+/// catalogue; it scales every probability of a rig and decides no name.
 inline constexpr double any_law_of_rig = 0.95;
 /// Difference of the probabilities of stick-slip by two laws from which on a row is proposed as the next to measure.
-/// Reason: less is no experiment. Evidence: none yet; chosen. It decides whether a proposal is made.
+/// Reason: less is no experiment. Evidence: none yet; chosen. It decides whether a proposal is made, and no name.
 inline constexpr double least_apart = 0.3;
 /// Held-out log-likelihood behind the likeliest law beyond which the motion of a law is not simulated. Reason:
-/// amplitudes cost `worst_amplitude` a row at most, and so much is not made up for. Evidence: none yet; chosen.
+/// amplitudes cost `worst_amplitude` a row at most, and so much is not made up for. Evidence: of 18 values in the tests
+/// of tables none lies between 13.2 and 24.
 inline constexpr double worth_following = 20;
 /// Standard deviation of the logarithm of a measured amplitude, and its floor in the gap. Reason: a measurement that is
 /// repeated differs by so much. Evidence: none yet; chosen. It scales what amplitudes say of a law.
 inline constexpr double amplitude_spread = 0.15;
 /// Distance to stick-slip within which the motion of a joint with memory is simulated. Reason: further away small and
-/// large disturbances end alike. Evidence: none yet; chosen.
+/// large disturbances end alike. Evidence: values lie on both sides (of 426 in the tests of tables 253 within a factor
+/// of two), so that no gap supports it; further rows cost a simulation each.
 inline constexpr double near_stick_slip = 0.5;
 /// Distance to the end of a law's range, as a part of it, within which a number of a law is implausible. Reason: as
-/// `beside_bound`; the search among rows is coarser. Evidence: none yet; chosen.
+/// `beside_bound`; the search among rows is coarser. Evidence: of 82 values in the tests of tables none lies between 0
+/// and 0.08.
 inline constexpr double beside_bound_of_law = 0.02;
 /// Part of the travel by which the load point of a rig must go back for a turn. Reason: that is more than noise.
-/// Evidence: none yet; chosen.
+/// Evidence: a load point goes through it row by row, so that values lie on both sides; with half of it and with twice
+/// of it two measured rigs keep their answers.
 inline constexpr double turned_of_rig = 0.01;
 /// Part of the normal load by which two runs must differ to tell what depends on it. Reason: less is the scatter of a
-/// load cell. Evidence: none yet; chosen.
+/// load cell. Evidence: of three values, two measured rigs and one in tests, none lies between 0 and 0.75.
 inline constexpr double loads_of_rig_differ = 0.01;
 /// Part of the travel, or of the time, that a rig's memory may take at most. Reason: a longer one would never have been
-/// seen to fade. Evidence: none yet; chosen. Sepiolite's record wants 43 mm, twenty times its travel, which is no
-/// answer.
+/// seen to fade. Evidence: with 0.25 and with 1 two measured rigs and one of another simulator keep their answers.
+/// Sepiolite's record wants 43 mm, twenty times its travel, which is no answer.
 inline constexpr double longest_memory_of_rig = 0.5;
 
 }  // namespace stickslip::gap::policy

@@ -28,16 +28,18 @@ inline constexpr double end_of_middle_band = 5;
 /// distribution's quantile.
 inline constexpr double two_sided_95 = 1.96;
 /// Part of the stroke by which a proposed motion may leave what the records have shown. Reason: a controller overshoots
-/// a little. Evidence: none yet; chosen.
+/// a little. Evidence: of 80 values in eight other cases none is above 0.001.
 inline constexpr double beyond_stroke = 0.05;
 /// Multiple of the largest speed that the records have shown, up to which the simulated joint may go in a proposed
-/// motion. Reason: what has not been shown may not be safe. Evidence: none yet; chosen.
+/// motion. Reason: what has not been shown may not be safe. Evidence: values lie on both sides (of 207 in 42 other
+/// cases nine are above, from 1.12 to 1.22, and the nearest below is 1.09). It decides which motions are proposed, and
+/// no name.
 inline constexpr double beyond_speed = 1.1;
-/// The same of the acceleration. Reason: breaking away is sharper than what a record's noise lets be seen. Evidence: in
-/// 50 cases of two other simulators, of 168 values none is above 1.28.
+/// The same of the acceleration. Reason: breaking away is sharper than what a record's noise lets be seen. Evidence: of
+/// 208 values in 43 other cases none lies between 1.62 and 2.41.
 inline constexpr double beyond_acceleration = 2.2;
 /// Part of the speed and acceleration of the records that a proposed reference uses. Reason: a closed loop overshoots.
-/// Evidence: none yet; chosen. With less a proposed motion is slower; `beyond_speed` judges it in any case.
+/// Evidence: of 207 motions of 42 other cases that go by it 198 stay within `beyond_speed`.
 inline constexpr double within_seen = 0.9;
 /// Probability from which on a page says that the cause may not be listed. Reason: less is not worth a reader's time.
 /// Definition: the words "that the cause is not listed".

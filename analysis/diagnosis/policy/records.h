@@ -17,8 +17,9 @@ inline constexpr double fitted = 120'000;
 /// the same length. Evidence: six of 48 s at 20 kHz gave that friction as 0.1219, and all other rows to 1.01 × the
 /// noise floor. Nothing was tried between this number and half or twice as many.
 inline constexpr double stretches_fitted = 8;
-/// Seconds of a stretch at least. Reason: a stretch that is shorter than a motion holds only a part of it. Evidence:
-/// none yet; chosen. Nothing was tried between it and half or twice as much.
+/// Seconds of a stretch at least. Reason: a stretch that is shorter than a motion holds only a part of it. Evidence: it
+/// decides only above 10 kHz (`fitted`, `stretches_fitted`): at 20 kHz six stretches gave that friction as 0.1219.
+/// Nothing was tried between it and half or twice as much.
 inline constexpr double shortest_stretch = 1.5;
 /// Relative RMS, over strides of 1 to 6 rows, by which white noise and the jerk of the motion miss what third
 /// differences show, above which the noise has a memory. Reason: estimates of white noise agree to a hundredth or two.
@@ -28,14 +29,11 @@ inline constexpr double noise_not_white = 0.06;
 /// Part of that RMS that noise with a memory may leave. Reason: a memory that explains less is not the noise's.
 /// Evidence: in the same 13 cases noise with a memory leaves a third at most.
 inline constexpr double noise_with_memory_leaves = 0.5;
-/// Part of the known reading error below which a grid has no influence. Reason: squares add, and a hundredth of a
-/// square is nothing. Evidence: none yet; chosen.
-inline constexpr double felt_grid = 0.1;
 /// Multiple of the documented step above which a grid is coarser than documented. Reason: a step larger by a third is
 /// another converter. Evidence: in 50 cases of two other simulators, of 200 values none lies between 1 and 16.
 inline constexpr double coarser_grid = 1.3;
-/// Multiple of the documented noise above which a grid can be seen. Reason: noise of two steps hides them. Evidence:
-/// none yet; chosen.
+/// Multiple of the documented noise above which a grid can be seen. Reason: noise of two steps hides them. Evidence: of
+/// 15 values in other cases and in tests none is below 2.3.
 inline constexpr double grid_over_noise = 0.5;
 /// Multiple of what the encoder resolves (its step or its noise), peak to peak, up to which a position does not move.
 /// Reason: of 16,000 readings of one position the largest and the least are so far apart (plus and minus four standard
@@ -43,13 +41,14 @@ inline constexpr double grid_over_noise = 0.5;
 inline constexpr double still = 8;
 /// Ratio of the noise that readings show to the documented one, above which the estimate takes its place. Reason:
 /// estimates of white noise agree to a hundredth or two (`noise_not_white`); a noise is documented for a type of
-/// sensor. Evidence: none yet; chosen.
+/// sensor. Evidence: of 259 values in 70 other cases and in tests none lies between 1.1 and 8.1.
 inline constexpr double noise_believed = 1.25;
 /// The same beside a grid that is coarser than documented. Reason: a coarse grid makes third differences of its own.
-/// Evidence: none yet; chosen.
+/// Evidence: of seven values in two other cases and in tests none is above 1.01.
 inline constexpr double noise_beside_grid = 2;
 /// The same of the rounding of an encoder step where no noise is documented. Reason: a step alone says nothing of
-/// noise, and estimates agree to a hundredth or two. Evidence: none yet; chosen.
+/// noise, and estimates agree to a hundredth or two. Evidence: of 35 values in eleven other cases and in tests none
+/// lies between 0.74 and 1.027.
 inline constexpr double noise_of_step = 1.02;
 /// Rows below which a record is not judged. Reason: its noise is estimated from third differences and its misfit from
 /// blocks of rows; both need some. Definition: "insufficient data" of a record.
@@ -63,20 +62,25 @@ inline constexpr double doubted_estimate = 1.03;
 /// effort has less noise than a thousandth.
 inline constexpr double model_noise_of_effort = 1e-3;
 /// Part of a row by which the median step of a log may differ from a multiple of the loop's period for its stamps to be
-/// moved to an even clock. Reason: a log of another rate has no such clock. Evidence: in 50 cases of two other
-/// simulators, of 150 values none is above 1e-13.
+/// moved to an even clock. Reason: a log of another rate has no such clock. Evidence: of 371 values in 138 other cases
+/// none is above 0.001.
 inline constexpr double whole_row = 0.05;
 /// RMS scatter of stamps, part of a row, up to which they are moved to an even clock without asking the readings.
-/// Reason: what is scattered by more may be uneven in truth: then readings decide. Evidence: none yet; chosen.
+/// Reason: what is scattered by more may be uneven in truth: then readings decide. Evidence: of 62 values in 17 other
+/// cases and in tests none lies between 0.05 and 0.18.
 inline constexpr double jitter_unquestioned = 0.1;
 /// Von Neumann's ratio of the deviations of stamps above which they scatter on their own. Reason: it is 2 where rows
-/// scatter independently, and 0 where they wander as a clock does: halfway. Evidence: none yet; chosen.
+/// scatter independently, and 0 where they wander as a clock does: halfway. Evidence: of 63 values in 17 other cases
+/// and in tests none lies between 0.0007 and 1.84.
 inline constexpr double scattered_stamps = 1;
 /// Rows lost in a row up to which they are filled in; more are a hole at which a record is cut. Reason: what a joint
-/// does between two readings is known for some tens of milliseconds. Evidence: none yet; chosen.
+/// does between two readings is known for some tens of milliseconds. Evidence: of 2.4 million values in 90 other cases
+/// none is above 6.1; in tests holes of 13 rows are filled in and one of 501 is not.
 inline constexpr double most_lost_rows = 20;
 /// Part of an encoder step below which noise moves a reading only in passing: then the noisiest record's noise is that
-/// of all. Reason: a record that stands still between two steps shows none. Evidence: none yet; chosen.
+/// of all. Reason: a record that stands still between two steps shows none. Evidence: values lie on both sides (of 19
+/// in other cases and in tests seven within a factor of two, the nearest 0.46 and 0.52), so that no gap supports it;
+/// with twice of it the nearest joint without an effect (0.67) stays without a gap.
 inline constexpr double seldom_a_step = 0.5;
 
 }  // namespace stickslip::gap::policy

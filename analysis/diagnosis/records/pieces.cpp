@@ -35,7 +35,7 @@ Record part(const Record& whole, std::size_t from, std::size_t to)
 
 std::vector<Record> pieces(const Record& record, std::vector<Note>& notes)
 {
-    const double longest = policy::most_lost_rows * median_step(record.time);
+    const auto longest = policy::most_lost_rows * median_step(record.time);
     std::vector<std::size_t> starts{0};
     for (std::size_t k = 1; k < record.rows(); ++k)
         if (record.time[k] - record.time[k - 1] > longest) starts.push_back(k);

@@ -14,15 +14,6 @@
 namespace stickslip::gap {
 namespace {
 
-/// Whether a partner beside backlash or a spring takes most of what that one leaves alone. The contact of real backlash
-/// is none of the ones that can be simulated, so a rest remains of both.
-bool completes(const Attribution& pair, const Attribution& single)
-{
-    const bool holds = std::ranges::count(pair.candidate.effects, single.candidate.effects[0]) > 0;
-    return holds && two_mass_edit(single.candidate) && pair.explained > policy::completed && !two_free_shapes(pair) &&
-           1 - pair.explained < (1 - policy::taken_by_partner) * (1 - single.explained);
-}
-
 /// How much of a rival's misfit may be a lost step. Where anything but noise is left, all of it counts.
 double by_chance(const Attribution& winner, const Attribution& rival)
 {
@@ -52,34 +43,23 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
 {
     Decision d;
     const std::vector<Attribution>* from = nullptr;
-    const bool single = !singles.empty() && (singles[0].accepted || pairs.empty());
     const Attribution* best_single = singles.empty() ? nullptr : &singles[0];
     const Attribution* best_pair = pairs.empty() ? nullptr : &pairs[0];
     if (best_single) d.best_explained = best_single->explained;
     // two free shapes that are not accepted come near anything: that explains nothing
     if (best_pair && (best_pair->accepted || !two_free_shapes(*best_pair)))
         d.best_explained = std::max(d.best_explained, best_pair->explained);
-    if (single && best_single->accepted) {
+    if (best_single && best_single->accepted) {
         d.winner = best_single;
         from = &singles;
-    } else if (best_pair && (best_pair->accepted ||
-                             (best_pair->explained > policy::explained_pair && !two_free_shapes(*best_pair)) ||
-                             (best_single && completes(*best_pair, *best_single)))) {
-        // a second effect must earn its place: else the first alone is the answer with a rest
+    } else if (best_pair && best_pair->accepted) {
+        // a second effect must earn its place: else the ladder tells what the first alone leaves
         const bool all_but = best_single && two_mass_edit(best_single->candidate) &&
                              best_single->explained > policy::explained_by_backlash;
-        const auto worth = best_pair->accepted && !all_but ? policy::worth_a_partner : policy::worth_a_doubted_partner;
-        const bool alone =
-            best_single &&
-            best_single->explained > (best_pair->accepted ? policy::explained_single : policy::mostly_explained) &&
-            best_single->score < best_pair->score + worth;
-        d.winner = alone ? best_single : best_pair;
-        from = alone ? &singles : &pairs;
-    } else if (best_single &&
-               best_single->explained >
-                   (two_mass_edit(best_single->candidate) ? policy::nameable : policy::explained_single)) {
-        d.winner = best_single;
-        from = &singles;
+        const auto worth = all_but ? policy::worth_a_doubted_partner : policy::worth_a_partner;
+        const bool alone = best_single && best_single->explained > policy::explained_single &&
+                           best_single->score < best_pair->score + worth;
+        if (!alone) d.winner = best_pair, from = &pairs;
     }
     d.named = d.winner != nullptr;
     if (d.named)
@@ -115,9 +95,7 @@ std::vector<Ranked> rank(const std::vector<Attribution>& singles, const std::vec
                      [](const Ranked& a, const Ranked& b) { return a.probability > b.probability; });
     // what the best leaves unexplained is the chance that it is something else
     const double unexplained = std::clamp(1 - first.explained, 0.0, 1.0);
-    const double else_ = !decision.named  ? 1 - policy::believed_unnamed
-                         : first.accepted ? policy::doubt_of_accepted + 0.5 * unexplained
-                                          : std::min(policy::most_doubt, policy::doubt + unexplained);
+    const double else_ = decision.named ? policy::doubt_of_accepted + 0.5 * unexplained : 1 - policy::believed_unnamed;
     for (auto& r : all) r.probability *= (1 - else_) / sum;
     return all;
 }

@@ -25,7 +25,7 @@ Reach shown_by(const Case& c)
 bool survives(const Trace& run, const std::vector<double>& time, const Reach& reach)
 {
     const Reach done = reach_of(time, run.true_position);
-    const double margin = policy::beyond_stroke * (reach.high - reach.low);
+    const auto margin = policy::beyond_stroke * (reach.high - reach.low);
     return done.low >= reach.low - margin && done.high <= reach.high + margin &&
            done.speed <= policy::beyond_speed * reach.speed &&
            done.acceleration <= policy::beyond_acceleration * reach.acceleration;

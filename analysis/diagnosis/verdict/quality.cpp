@@ -78,9 +78,8 @@ bool plausible_numbers(const Attribution& a)
     for (Eigen::Index i = 0; i < a.x[1].size(); ++i) {
         const auto& p = a.candidate.parameter(static_cast<std::size_t>(i));
         const double value = p.logarithmic ? std::exp(a.x[1][i]) : a.x[1][i];
-        if (at_bound(p, value) || (!p.logarithmic && p.prior > 0 &&
-                                   std::abs(value) > policy::implausible_size * std::max(p.prior, policy::least_prior)))
-            return false;
+        const bool far = !p.logarithmic && p.prior > 0 && std::abs(value) > policy::implausible_size * p.prior;
+        if (at_bound(p, value) || far) return false;
     }
     return true;
 }

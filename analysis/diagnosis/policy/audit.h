@@ -99,7 +99,7 @@ inline constexpr double much_better = 0.25;
 /// 1.0, of sampled ones at 0.0, while nothing else is wrong.
 inline constexpr double straight = 0.5;
 /// Standard errors by which it must be above. Reason: a record of little motion says nothing of it. Evidence: none yet;
-/// chosen. Of a measured servo, the one joint without a period among 142 other cases, two values are -9.4 and 2.6.
+/// chosen. In 142 other cases two values were compared with it, both of one measured servo: -9.4 and 2.6.
 inline constexpr double straight_errors = 2;
 /// Multiple of what all terms together leave, or of rounding, below which no further term is needed. Reason: terms
 /// share a little of what rounding leaves. Evidence: values lie on both sides (of 226 in 45 other cases 91 within a
@@ -117,12 +117,11 @@ inline constexpr double wanted_more = 1.01;
 /// rule. Evidence: in the tests of the audit all 1236 regressions use at least 0.988 of their rows.
 inline constexpr double most_rows = 0.5;
 /// Part of the squares of a logged supply's drop that the current must explain. Reason: a drop that follows something
-/// else is not the source's resistance. Evidence: none yet; chosen. It is reached only where a log has the supply's
-/// voltage and that differs from the documented one, in none of 142 other cases; it guards against a voltage that
-/// wanders by itself.
+/// else is not the source's resistance. Evidence: none yet; chosen. In none of 142 other cases does a logged supply
+/// fall with the current, so that nothing was compared with it; it guards against a voltage that wanders by itself.
 inline constexpr double supply_follows = 0.8;
 /// Part of the supply that the drop must make up. Reason: two parts in a thousand are the digits of a voltmeter.
-/// Evidence: none yet; chosen. As `supply_follows`, never reached in 142 other cases; it guards against a finding from
+/// Evidence: none yet; chosen. As `supply_follows`, nothing was compared with it; it guards against a finding from
 /// digits.
 inline constexpr double supply_matters = 0.002;
 /// Mean square of what the first rows are off the prediction from rest, in squares of a reading's error, above which a

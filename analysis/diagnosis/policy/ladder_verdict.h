@@ -95,9 +95,9 @@ inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
 /// in other cases (k_p, k_v, a grid, a filter) are right.
 inline constexpr double doubt_of_finding = 0.02;
 /// Probability that such a finding is the only cause, where more than noise remains that neither an effect nor numbers
-/// of the document were found for. Reason: the finding is certain, and as likely as not alone. Evidence: in 190 answers
-/// to other cases one has this probability, an encoder's coarser step, and is right. A half says that nothing is known
-/// of other causes; a ladder that is likelier stands before the finding.
+/// of the document were found for. Reason: the finding is certain, and as likely as not alone. Evidence: in some 180
+/// answers to other cases one has this probability, an encoder's coarser step, and is right. A half says that nothing
+/// is known of other causes; a ladder that is likelier stands before the finding.
 inline constexpr double finding_and_more = 0.5;
 /// Probability that such a finding is the only cause, where otherwise only documented parameters are off and more than
 /// noise remains. Reason: the parameters may have absorbed another cause. Evidence: of 15 such answers on fresh dirty

@@ -84,8 +84,8 @@ inline constexpr double turned_of_rig = 0.01;
 /// load cell. Evidence: of three values, two measured rigs and one in tests, none lies between 0 and 0.75.
 inline constexpr double loads_of_rig_differ = 0.01;
 /// Part of the travel, or of the time, that a rig's memory may take at most. Reason: a longer one would never have been
-/// seen to fade. Evidence: with 0.25 and with 1 two measured rigs and one of another simulator keep their answers.
-/// Sepiolite's record wants 43 mm, twenty times its travel, which is no answer.
+/// seen to fade. Evidence: with 0.25 and with 1 two measured rigs keep their answers, with 0.25 one of another
+/// simulator as well. Sepiolite's record wants 43 mm, twenty times its travel, which is no answer.
 inline constexpr double longest_memory_of_rig = 0.5;
 
 }  // namespace stickslip::gap::policy

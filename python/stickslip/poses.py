@@ -20,7 +20,7 @@ def sweep_poses(robot: str | Path, name: str, over: Mapping[str, Sequence[float]
     `over` has the coordinates (rad or m) of one or several other joints of the robot: the axes of the dataset; joints in neither `over` nor
     `at` stand at their zero. `joint` is the joint: law of friction, gains and all else, whose inertia (of several masses: the link's)
     and gravity are those of the pose. `armature` (kg·m² or kg) is a rotor behind its gear that the description lacks; of several masses
-    the joint has the motor's. `nonlinear` simulates each pose, too, which gravity along the motion may leave undecided. plot_map draws the dataset. Raises StickslipError for joints or
+    the joint has the motor's. `nonlinear` simulates each pose, too. plot_map draws the dataset. Raises StickslipError for joints or
     coordinates that the robot has not.
 
     >>> maps = stickslip.sweep_poses("arm.urdf", "shoulder", {"elbow": numpy.linspace(0, 3, 16), "wrist": numpy.linspace(0, 2, 9)}, joint)

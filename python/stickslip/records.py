@@ -110,6 +110,17 @@ def numbers_of(name: str, frame: "pandas.DataFrame", column: str) -> "pandas.Ser
     return values
 
 
+def write_csv(frame: "pandas.DataFrame", file: Path) -> None:
+    """With all digits. Text that a record may have beside its signals stays in one cell: the program's tables have no quotes."""
+    from pandas.api import types
+
+    def one_cell(value: Any) -> Any:
+        return re.sub(r'[",\s]+', " ", str(value))
+
+    frame.assign(**{column: frame[column].map(one_cell, na_action="ignore") for column in frame.columns
+                    if not types.is_numeric_dtype(frame[column].dtype)}).to_csv(file, index=False)
+
+
 def write_record(name: str, record: Any, folder: Path, log: Mapping[str, Any]) -> Path:
     """The record as CSV with all digits. A file in CSV stays where it is; logs are read with the options in `log`."""
     if not isinstance(name, str):
@@ -125,7 +136,7 @@ def write_record(name: str, record: Any, folder: Path, log: Mapping[str, Any]) -
                              f"may have {LONGEST_FILE_NAME} bytes with its ending .csv")
     if file.exists():
         raise StickslipError(f"{name}: two records would be written as {file.name}; give them different names")
-    frame.to_csv(file, index=False)
+    write_csv(frame, file)
     return file
 
 

@@ -251,7 +251,7 @@ def diagnose_robot(robot: str | Path | Mapping[str, JointLike], logs: Any, direc
     """
     import pandas
 
-    from .records import as_frame
+    from .records import as_frame, write_csv
 
     with tempfile.TemporaryDirectory(prefix="stickslip-") as temporary:
         if isinstance(robot, Mapping):
@@ -261,7 +261,7 @@ def diagnose_robot(robot: str | Path | Mapping[str, JointLike], logs: Any, direc
         for number, one in enumerate(given):
             if isinstance(one, (Mapping, pandas.DataFrame)):
                 files.append(Path(temporary) / f"log-{number + 1}.csv")
-                as_frame(f"log {number + 1}", one).to_csv(files[-1], index=False)
+                write_csv(as_frame(f"log {number + 1}", one), files[-1])
             else:
                 files.append(one)
         folder = Path(directory) if directory else Path(temporary) / "diagnosis"

@@ -79,11 +79,23 @@ def test_boundary_and_margins():
     assert stickslip.margins(REFERENCE)
 
 
+def test_text_beside_the_signals_of_a_record_is_nobodys_business():
+    time = numpy.arange(0, 1, 1e-3)
+    notes = ["a, b", 'the "good" run', "two\nlines", None]
+    run = {"time": time, "position": 0 * time, "note": [notes[i % 4] for i in range(len(time))]}
+    joint = {**REFERENCE, "control": {**REFERENCE["control"], "period": 1e-3, "velocity_estimate": {"form": "exact"}}}
+    without = {name: column for name, column in run.items() if name != "note"}
+    verdicts = [stickslip.diagnose(joint, {"run": given})["verdict"] for given in (run, without)]
+    assert verdicts[0] == verdicts[1]
+
+
 def test_bad_input_says_where():
     with pytest.raises(StickslipError, match="inertia"):
         stickslip.evaluate({**REFERENCE, "joint": {"motion": "prismatic", "model": "single-mass"}})
     with pytest.raises(StickslipError, match=r'run: row 2: position: is "x", expected a finite number'):
         stickslip.diagnose(REFERENCE, {"run": pandas.DataFrame({"time": [0, 1, 2], "position": [0, 1, "x"]})})
+    with pytest.raises(StickslipError, match=r'^run: row 1: position: is "\[1 2\]", expected a finite number[^\n]*$'):
+        stickslip.diagnose(REFERENCE, {"run": {"time": [0, 1, 2], "position": [0, [1, 2], 2]}})
     with pytest.raises(StickslipError, match="run: row 1: time: is missing"):
         stickslip.diagnose(REFERENCE, {"run": {"time": [0.0, numpy.nan], "position": [0.0, 0.0]}})
     with pytest.raises(StickslipError, match="run: got ndarray, expected a data frame, a dict of columns, an array with named fields"):

@@ -134,6 +134,9 @@ std::string lost_text(const ExportAnswer& answer, const NotExpressible& lost)
         case Lost::backlash:
             return simulator_name(answer.to) +
                    " takes two joints for it in the robot's asset: export --to mjcf, urdf or sdf writes them";
+        case Lost::damped_gap:
+            return "the damping of a tendon acts within the backlash, too, that of the joint only where its flanks "
+                   "touch";
         case Lost::delay_of_target:
             return delay_text(answer);
         case Lost::static_rise:

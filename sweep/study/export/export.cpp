@@ -39,6 +39,7 @@ constexpr Rule rules[] = {
     {"joint.transmission_link.cubic_stiffness", nobody, Lost::hardening},
     {"joint.transmission_link.ratio", everyone, Lost::no_element},
     {"joint.transmission_link.backlash", "mus", Lost::backlash},
+    {"pose.", everyone, Lost::no_element},  // where inertia and gravity come from
     {"load.constant", nobody, Lost::no_element},
     {"load.gravity_", with_mechanism, Lost::from_the_robot},
     {"load.cogging", nobody, Lost::position_dependent},
@@ -205,6 +206,8 @@ ExportAnswer export_joint(const Joint& joint, Simulator to, const ExportOptions&
         if (!law_name && (!key.in_force() || key.value.empty())) continue;
         const auto why = lost(key, to, law);
         if (why && !(why == Lost::joined_to_link && rotor_apart)) answer.not_expressible.push_back({key.path, *why});
+        const bool damps = key.path.starts_with("joint.transmission") && key.path.ends_with(".damping");
+        if (!why && damps && rotor_apart) answer.not_expressible.push_back({key.path, Lost::damped_gap});
     }
     return answer;
 }

@@ -45,6 +45,7 @@ enum class Lost {
     integral,             ///< on the error, its limits and what it does at them
     feed_forward,
     not_position_control,
+    damped_gap,  ///< damping of a transmission acts in its dead band, too
 };
 
 /// Whether the exported actuator delays its target by the dead time; the feedback is delayed nowhere.
@@ -68,8 +69,9 @@ constexpr std::string_view name_of(Lost why)
                                           "sampling",        "estimate",
                                           "sensor",          "feedback-side",
                                           "supply",          "integral",
-                                          "feed-forward",    "not-position-control"};
-    static_assert(std::size(names) == static_cast<std::size_t>(Lost::not_position_control) + 1);
+                                          "feed-forward",    "not-position-control",
+                                          "damped-gap"};
+    static_assert(std::size(names) == static_cast<std::size_t>(Lost::damped_gap) + 1);
     return names[static_cast<std::size_t>(why)];
 }
 

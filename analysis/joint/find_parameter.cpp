@@ -55,9 +55,7 @@ struct NumberFinder {
     }
 };
 
-}  // namespace
-
-double* find_parameter(Joint& joint, std::string_view path)
+double* found_at(Joint& joint, std::string_view path)
 {
     NumberFinder finder{path, path, {}};
     if (path.ends_with(".0")) finder.of_one.remove_suffix(2);  // a list of one answers to "L" and to "L.0"
@@ -65,11 +63,24 @@ double* find_parameter(Joint& joint, std::string_view path)
     return finder.at_exact ? finder.at_exact : finder.at_of_one;
 }
 
-double& number_at(Joint& joint, const std::string& path)
+}  // namespace
+
+const double* find_parameter(const Joint& joint, std::string_view path)
 {
-    double* number = find_parameter(joint, path);
-    if (!number) throw std::invalid_argument("the joint has no number " + path);
-    return *number;
+    return found_at(const_cast<Joint&>(joint), path);  // the walk reads; it is written for joints that are read in
+}
+
+JointNumber::JointNumber(Joint& joint, double& number) : joint_(joint), number_(number)
+{
+    const auto& pose = joint.pose.coordinates;
+    posed_ = !pose.empty() && &number >= &pose.front() && &number <= &pose.back();
+}
+
+JointNumber number_at(Joint& joint, std::string_view path)
+{
+    double* number = found_at(joint, path);
+    if (!number) throw std::invalid_argument("the joint has no number " + std::string(path));
+    return {joint, *number};
 }
 
 Quantity quantity_of(const Joint& given, std::string_view path)

@@ -10,6 +10,7 @@
 #include "analysis/joint/coupling.h"
 #include "analysis/joint/load.h"
 #include "analysis/joint/mechanism.h"
+#include "analysis/joint/pose.h"
 #include "analysis/joint/sensor.h"
 
 namespace stickslip {
@@ -39,6 +40,7 @@ struct Joint {
     Sensor sensor;                                   ///< what the encoder adds
     NormalLoad normal;                               ///< a normal force that moves with the joint
     ShortList<Neighbour, max_neighbours> neighbour;  ///< joints that the mass matrix couples to this one
+    Pose pose;                                       ///< of the robot that the joint is part of
 
     template <class Self, class Visitor>
     static void fields(Self& self, Visitor& visit)
@@ -57,6 +59,7 @@ struct Joint {
         visit.table("sensor", "what the encoder adds", self.sensor);
         visit.table("normal", "a normal force that moves with the joint", self.normal);
         visit.rows("neighbour", "joints that the mass matrix couples to this one", self.neighbour);
+        if (self.pose.of) visit.table("pose", "where the other joints of the robot stand", self.pose);
     }
 
     /// Dead time of the whole loop [s]: what goes round it is late by all delays together, wherever they arise.

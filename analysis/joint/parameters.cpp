@@ -187,6 +187,7 @@ std::string canonical_text(const Joint& given)
     const auto collected = collect(joint);
     std::string text;
     for (const auto& other : collected.others) text += other.path + " = " + other.text + "\n";
+    if (joint.pose.of) text += "pose.of = " + joint.pose.of->id + "\n";
     for (const auto& p : collected.numbers_) text += p.path + " = " + number_text(*p.value) + "\n";
     return text;
 }

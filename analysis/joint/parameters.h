@@ -23,10 +23,35 @@ struct Parameter {
 std::vector<Parameter> parameters(Joint& joint);
 
 /// The number at a path such as "control.k_p", or nullptr. The pointer lives as long as the joint and its law are kept.
-double* find_parameter(Joint& joint, std::string_view path);
+const double* find_parameter(const Joint& joint, std::string_view path);
 
-/// The same. Throws std::invalid_argument for a path that the joint lacks.
-double& number_at(Joint& joint, const std::string& path);
+/// A number of a joint to read and to move, for as long as the joint and its law are kept. What follows from it moves
+/// with it: inertia and gravity from the pose of a robot.
+class JointNumber {
+  public:
+    /// Of a joint and a number in it.
+    JointNumber(Joint& joint, double& number);
+    JointNumber(const JointNumber&) = default;
+    JointNumber& operator=(const JointNumber&) = delete;  // of another joint
+
+    /// Its value.
+    operator double() const { return number_; }
+    /// Moves it.
+    const JointNumber& operator=(double value) const
+    {
+        number_ = value;
+        if (posed_) joint_.pose.of->apply(joint_.pose.coordinates, joint_);
+        return *this;
+    }
+
+  private:
+    Joint& joint_;
+    double& number_;
+    bool posed_ = false;
+};
+
+/// The number at a path. Throws std::invalid_argument for a path that the joint lacks.
+JointNumber number_at(Joint& joint, std::string_view path);
 
 /// Of the number at a path; Quantity::number where the joint lacks it.
 Quantity quantity_of(const Joint& joint, std::string_view path);

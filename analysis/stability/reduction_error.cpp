@@ -119,11 +119,10 @@ ReductionError compare_reduction(const Joint& full, const std::function<Reductio
                                  std::string_view path, double low, double high, int scan)
 {
     Joint joint = full;
-    double* parameter = find_parameter(joint, path);
-    if (!parameter) throw std::invalid_argument("the joint has no parameter " + std::string(path));
+    const auto parameter = number_at(joint, path);
     Reduction whole;
     const auto side_at = [&](double value, bool reduced) {
-        *parameter = value;
+        parameter = value;
         if (reduced) return side(reduce(joint));
         whole.joint = joint;
         return side(whole);

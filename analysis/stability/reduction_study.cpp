@@ -103,7 +103,7 @@ ReductionStudy study_of(Joint joint, const NamedReduction& c, const StudyOptions
     search(options.boundary_decades);
     if (std::isnan(study.own.error)) search(options.far_decades);
     if (c.assumption_path.empty()) return study;
-    double& assumed = *find_parameter(joint, c.assumption_path);
+    const auto assumed = number_at(joint, c.assumption_path);
     const double own = assumed;
     const auto compare_at = [&](double value) {
         assumed = value;

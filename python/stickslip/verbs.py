@@ -55,11 +55,13 @@ def _input(given: JointLike | SpecLike) -> Iterator[Path]:
 def _from_here(tables: Mapping[str, Any]) -> Mapping[str, Any]:
     """Files that the tables name are looked up from the working directory: there is no file that they could be beside."""
     found = dict(tables)
-    joint, friction = tables.get("joint"), tables.get("friction")
+    joint, friction, robot = tables.get("joint"), tables.get("friction"), tables.get("robot")
     if isinstance(joint, str):
         found["joint"] = str(Path(joint).absolute())
     if isinstance(friction, Mapping) and isinstance(friction.get("table"), str):
         found["friction"] = {**friction, "table": str(Path(friction["table"]).absolute())}
+    if isinstance(robot, Mapping) and isinstance(robot.get("file"), (str, Path)):
+        found["robot"] = {**robot, "file": str(Path(robot["file"]).absolute())}
     return found
 
 

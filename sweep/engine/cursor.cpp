@@ -1,7 +1,5 @@
 #include "sweep/engine/cursor.h"
 
-#include "analysis/joint/parameters.h"
-
 #include <stdexcept>
 
 namespace stickslip {
@@ -9,9 +7,9 @@ namespace stickslip {
 PointCursor::PointCursor(const Joint& base, std::span<const Axis> axes) : joint_(base)
 {
     for (const Axis& axis : axes) {
-        double* target = find_parameter(joint_, axis.path);
-        if (!target || axis.values.empty()) throw std::invalid_argument("axis \"" + axis.path + "\" cannot be walked");
-        wheels_.push_back({target, axis.values, 0});
+        if (!find_parameter(joint_, axis.path) || axis.values.empty())
+            throw std::invalid_argument("axis \"" + axis.path + "\" cannot be walked");
+        wheels_.push_back({number_at(joint_, axis.path), axis.values, 0});
     }
     seek(0);
 }
@@ -29,7 +27,7 @@ void PointCursor::seek(std::uint64_t point)
         Wheel& wheel = wheels_[i];
         wheel.at = point % wheel.values.size();
         point /= wheel.values.size();
-        *wheel.target = wheel.values[wheel.at];
+        wheel.target = wheel.values[wheel.at];
     }
 }
 

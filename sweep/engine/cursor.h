@@ -1,7 +1,7 @@
 // Walks the points of a plan: a joint of its own whose swept numbers are overwritten in place, so that a point costs a
 // few stores instead of a look-up by name.
 #pragma once
-#include "analysis/joint/joint.h"
+#include "analysis/joint/parameters.h"
 #include "analysis/results/stability_map.h"
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class PointCursor {
             Wheel& wheel = wheels_[i];
             const bool turned_over = ++wheel.at == wheel.values.size();
             if (turned_over) wheel.at = 0;
-            *wheel.target = wheel.values[wheel.at];
+            wheel.target = wheel.values[wheel.at];
             if (!turned_over) return;
         }
     }
@@ -42,7 +42,7 @@ class PointCursor {
 
   private:
     struct Wheel {
-        double* target;
+        JointNumber target;
         std::span<const double> values;
         std::size_t at;
     };

@@ -53,9 +53,11 @@ std::filesystem::path write_linked_report(const Report& report, const std::files
     return file;
 }
 
-std::filesystem::path write_sweep_report(const Report& report, const Spec& spec, const std::filesystem::path& directory)
+std::filesystem::path write_sweep_report(const Report& report, const Spec& spec, const std::string& text,
+                                         const std::filesystem::path& directory)
 {
     const auto page = write_report(report, directory);
+    if (spec.joint.pose.of) write_whole(directory / "spec.toml", text);
     write_whole(directory / "joint.toml", joint_text(design_joint(spec)));
     return page;
 }

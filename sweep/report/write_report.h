@@ -11,8 +11,9 @@ namespace stickslip {
 /// Throws std::filesystem::filesystem_error if it cannot be written.
 std::filesystem::path write_report(const Report& report, const std::filesystem::path& directory);
 
-/// The report of a sweep, and beside it joint.toml: the design, on which the page's commands run.
-std::filesystem::path write_sweep_report(const Report& report, const Spec& spec,
+/// The report of a sweep, and beside it what the page's commands run on: joint.toml, the design; of a joint in a robot
+/// also spec.toml, `text`, which needs no other file.
+std::filesystem::path write_sweep_report(const Report& report, const Spec& spec, const std::string& text,
                                          const std::filesystem::path& directory);
 
 }  // namespace stickslip

@@ -23,7 +23,7 @@ bool same_axes(const FollowedBoundary& a, const FollowedBoundary& b)
 bool stable_between(Joint joint, const Axis& axis, double from, double to)
 {
     constexpr int samples = 33;
-    double& number = number_at(joint, axis.path);
+    const auto number = number_at(joint, axis.path);
     for (int i = 0; i < samples; ++i) {
         number = from + (to - from) * i / samples;
         if (!(linear_point(joint).spectral_abscissa < 0)) return false;
@@ -43,7 +43,7 @@ StabilityMap stability_under(const Joint& design, Axis x, Axis y, const Parallel
     map.region.resize(map.abscissa.size());
     parallel(y.values.size(), [&](std::size_t j) {
         Joint joint = design;
-        double &u = number_at(joint, x.path), &v = number_at(joint, y.path);
+        const auto u = number_at(joint, x.path), v = number_at(joint, y.path);
         for (std::size_t i = 0; i < x.values.size(); ++i) {
             u = x.values[i], v = y.values[j];
             const auto row = linear_point(joint);

@@ -25,7 +25,7 @@ HuntingField hunting_field(const Joint& design, Axis x, Axis y, const ParallelFo
     field.places.resize(x.values.size() * y.values.size());
     parallel(y.values.size(), [&](std::size_t j) {
         Joint joint = design;
-        double &u = number_at(joint, x.path), &v = number_at(joint, y.path);
+        const auto u = number_at(joint, x.path), v = number_at(joint, y.path);
         for (std::size_t i = 0; i < x.values.size(); ++i) {
             u = x.values[i], v = y.values[j];
             field.places[j * x.values.size() + i] = set_point(joint, quick_set_point);

@@ -18,9 +18,8 @@ bool kept_by_ideal(const Joint& ideal, const std::string& path)
 {
     constexpr double other = 0.5;  // no default of any number
     Joint changed = ideal;
-    double* number = find_parameter(changed, path);
-    if (!number) return false;
-    *number = other;
+    if (!find_parameter(changed, path)) return false;
+    number_at(changed, path) = other;
     changed = with_ideal_loop(changed);
     return *find_parameter(changed, path) == other;
 }

@@ -67,7 +67,7 @@ GainSurface gain_surface(const Joint& design, const Axis& x, const Axis& y)
 {
     GainSurface surface{x, y, {}};
     Joint joint = design;
-    double &u = number_at(joint, x.path), &v = number_at(joint, y.path);
+    const auto u = number_at(joint, x.path), v = number_at(joint, y.path);
     int always = 0, never = 0, windows = 0;
     for (const double b : y.values)
         for (const double a : x.values) {

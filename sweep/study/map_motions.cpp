@@ -66,8 +66,8 @@ std::vector<MapMotion> map_motions(const Joint& joint, const Slice& slice)
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
         Joint node = held;
         const double x = across[i % across.size()], y = up[i / across.size()];
-        *find_parameter(node, slice.x.path) = x;
-        *find_parameter(node, slice.y.path) = y;
+        number_at(node, slice.x.path) = x;
+        number_at(node, slice.y.path) = y;
         SimulateOptions options;
         options.rtol = picture_tolerance;
         const auto t = simulate(node, options);

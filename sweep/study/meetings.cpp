@@ -54,7 +54,7 @@ constexpr double steps_behind[] = {1e-4, 1e-3, 1e-2};
 std::optional<SetPoint> behind(const Joint& design, const Meeting& m)
 {
     Joint joint = design;
-    double& number = number_at(joint, m.axis.path);
+    const auto number = number_at(joint, m.axis.path);
     const double range = drawn(m.axis, m.axis.values.back()) - drawn(m.axis, m.axis.values.front());
     const bool design_hunts = hunts(set_point(design, quick_set_point));
     for (const double step : steps_behind) {

@@ -24,8 +24,8 @@ GrowthAt growth_over(const Joint& joint, const Slice& slice, std::function<Reduc
 {
     return [joint, &slice, reduce = std::move(reduce)](double x, double y) {
         Joint there = joint;
-        *find_parameter(there, slice.x.path) = x;
-        *find_parameter(there, slice.y.path) = y;
+        number_at(there, slice.x.path) = x;
+        number_at(there, slice.y.path) = y;
         try {
             return reduce ? growth_rate(reduce(there)) : growth_rate(there);
         } catch (const std::invalid_argument&) {

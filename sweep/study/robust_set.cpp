@@ -46,8 +46,8 @@ RobustSet robust_set(const MarginsAnswer& a)
     set.y.values = spaced(set.y.values.front(), set.y.values.back(), chart_rows, set.y.log);
     const auto robust_curve = curve_of(*a.robust), nominal_curve = curve_of(*a.nominal);
     Joint joint = a.joint;
-    *find_parameter(joint, set.x.path) = set.x.values.front();
-    double& y = *find_parameter(joint, set.y.path);
+    number_at(joint, set.x.path) = set.x.values.front();
+    const auto y = number_at(joint, set.y.path);
     const auto& ys = set.y.values;
     for (std::size_t j = 0; j < ys.size(); ++j) {
         // curves end on the borders: their rows are taken a little within

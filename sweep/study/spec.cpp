@@ -10,7 +10,7 @@ Joint design_joint(const Spec& spec)
     for (std::size_t i = 0; i < spec.axes.size(); ++i) {
         const auto& values = spec.axes[i].values;
         const double design = spec.design[i].second;
-        *find_parameter(joint, spec.axes[i].path) = is_set(design) ? design : values[values.size() / 2];
+        number_at(joint, spec.axes[i].path) = is_set(design) ? design : values[values.size() / 2];
     }
     return joint;
 }

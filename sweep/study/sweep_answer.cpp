@@ -11,10 +11,10 @@ namespace {
 /// max Re s along an axis with friction replaced by its steady-state curve.
 std::vector<double> velocity_only_abscissa(Joint joint, const Axis& axis)
 {
-    double* number = find_parameter(joint, axis.path);
+    const auto number = number_at(joint, axis.path);
     std::vector<double> abscissa;
     for (const double value : axis.values) {
-        *number = value;
+        number = value;
         abscissa.push_back(velocity_only_growth_rate(joint));
     }
     return abscissa;

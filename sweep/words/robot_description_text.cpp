@@ -19,6 +19,8 @@ const char* consequence(NotTakenReason reason)
             return "acts on the joint: left out, the joint file cannot express it";
         case NotTakenReason::limit:
             return "limits its own part of the effort, to which another servo adds: the limit is left out";
+        case NotTakenReason::lopsided:
+            return "limits one direction more than the other: the joint file has the wider limit in both";
         case NotTakenReason::nonlinear:
             return "damps also with the square or cube of velocity: the joint file has the linear part alone";
         case NotTakenReason::medium:
@@ -64,6 +66,24 @@ std::string beyond_limits_text(const PoseBeyondLimits& of)
     const auto unit = j.kind == RobotJointKind::hinge ? "rad" : "m";
     return fmt::format("joint \"{}\" is at {:.6g} {}, outside its limits {:.6g} to {:.6g} {} ({})", j.name, of.position,
                        unit, j.low, j.high, unit, j.place);
+}
+
+std::vector<std::string> unreachable_poses_text(const Joint& joint, const std::vector<Axis>& axes)
+{
+    constexpr double written = 1e-4;  // rad or m: limits are written with few digits
+    std::vector<std::string> texts;
+    if (!joint.pose.of) return texts;
+    for (const auto& axis : axes)
+        for (const auto& other : joint.pose.of->neighbours) {
+            if (axis.path != "pose." + other.name) continue;
+            const double low = axis.values.front(), high = axis.values.back();
+            if (low >= other.lower - written && high <= other.upper + written) continue;
+            texts.push_back(fmt::format(
+                "the axis {} runs from {:.6g} to {:.6g} {}, the limits of joint \"{}\" are {:.6g} "
+                "to {:.6g}: the robot cannot reach all of these poses",
+                axis.path, low, high, unit_of(other.quantity, units_of(joint)), other.name, other.lower, other.upper));
+        }
+    return texts;
 }
 
 }  // namespace stickslip

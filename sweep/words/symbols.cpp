@@ -35,10 +35,22 @@ std::vector<std::string> last_keys(std::string_view path, std::size_t count)
     return keys;
 }
 
+constexpr std::string_view of_pose = "pose.";
+
+/// The name of another joint of a robot, whatever it has in it that charts would take for markup.
+std::string robot_joint(std::string_view path)
+{
+    std::string name(path.substr(of_pose.size()));
+    for (char& c : name)
+        if (c == '_' || c == '{' || c == '}' || c == '^') c = ' ';
+    return name;
+}
+
 }  // namespace
 
 std::string symbol_of(std::string_view given, Units units)
 {
+    if (given.starts_with(of_pose)) return "q_{" + robot_joint(given) + "}";
     const Split split = split_index(given);
     std::string symbol;
     if (const Sign* sign = sign_of(split.path)) {
@@ -61,6 +73,7 @@ std::string symbol_of(std::string_view given, Units units)
 
 std::string name_of(std::string_view given)
 {
+    if (given.starts_with(of_pose)) return "pose of " + robot_joint(given);
     const Split split = split_index(given);
     std::string name;
     if (const Sign* sign = sign_of(split.path)) {

@@ -81,7 +81,7 @@ void compare(const char* name, BoundaryRequest request, const Joint& joint, cons
     }
     Cost bisected;
     Joint copy = joint;
-    double &u = *find_parameter(copy, x.path), &v = *find_parameter(copy, y.path);
+    const auto u = number_at(copy, x.path), v = number_at(copy, y.path);
     for (int j = 0; j < rows; ++j) {
         const double share = (j + 0.5) / rows;
         v = y.log ? y.values[0] * std::pow(y.values[1] / y.values[0], share)

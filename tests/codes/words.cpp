@@ -88,6 +88,11 @@ std::string beyond_limits_text(const PoseBeyondLimits&)
     return "#beyond-limits";
 }
 
+std::vector<std::string> unreachable_poses_text(const Joint&, const std::vector<Axis>&)
+{
+    return {"#unreachable-poses"};
+}
+
 std::string integral_text(const IntegralCost&, Units)
 {
     return "#integral";

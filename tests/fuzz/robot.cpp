@@ -1,10 +1,11 @@
 // Any bytes as URDF or MJCF: a robot whose joints can be imported, or a list of complaints. A joint that is written
 // down with nothing left to fill in reads back.
 #include "analysis/joint/parameters.h"
-#include "sweep/files/robots/import_text.h"
 #include "sweep/files/robots/robot_file.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/import_text.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/files/toml/robot_table.h"
 #include "tests/fuzz/input_file.h"
 
 namespace {

@@ -175,10 +175,10 @@ def test_without_the_arm_in_it_the_same_record_has_a_gap(urdf):
     assert diagnosis["verdict"] != "no-gap" and diagnosis["gap"]["overall"]["before"] > 10
 
 
-def test_a_map_over_the_pose_says_that_only_the_stretched_arm_sticks(urdf):
+def test_a_map_over_the_pose_says_that_only_the_stretched_arm_sticks(urdf, tmp_path):
     """Rate-and-state friction on the upper joint: one mass and one state have a critical gain that grows with the inertia."""
     A, B, L, V = 1.0, 1.5, 1e-3, 1e-2
-    elbow, outer = numpy.linspace(0, 3, 7), [0.0, 0.7]
+    elbow = numpy.linspace(0, 3, 7)
 
     def critical(inertia):  # ((B − A)/L)(1 + m V²/(L A)), by hand (paper, equations 36 and 37 at k_v = 0)
         return (B - A) / L * (1 + inertia * V**2 / (L * A))
@@ -187,15 +187,21 @@ def test_a_map_over_the_pose_says_that_only_the_stretched_arm_sticks(urdf):
     between = float(critical(inertia).min() + critical(inertia).max()) / 2
     joint = stickslip.Joint.from_dict({"joint": {"motion": "revolute", "inertia": 1.0}, "control": {"k_p": between, "V0": V},
                                        "friction": {"law": "rate-and-state", "f0": 60.0, "A": A, "B": B, "L": L, "V_star": V}})
-    maps = stickslip.sweep_poses(urdf, "upper", {"lower": elbow, "upper": outer}, joint, armature=ROTOR[0])
-    assert maps["inertia"].dims == ("lower", "upper")
-    for i in range(2):
-        assert numpy.allclose(maps["inertia"][:, i], inertia, rtol=1e-9)
-        assert numpy.allclose(maps["gravity_effort"][:, i], [-bias((outer[i], q), (0, 0))[0] for q in elbow], atol=1e-9)
-        assert numpy.allclose(maps["k_cr"][:, i], critical(inertia), rtol=1e-6)
-        assert list(maps["state_variable_stable"].values[:, i]) == list(critical(inertia) < between)
-    assert not maps["state_variable_stable"].values[0, 0] and maps["state_variable_stable"].values[-1, 0]  # stretched, folded
-    with pytest.raises(StickslipError, match="pose:1:8: lowr: is not a joint of the robot"):
+    maps = stickslip.sweep_poses(urdf, "upper", {"lower": elbow}, joint, armature=ROTOR[0])
+    assert maps["k_cr"].dims == ("lower",) and maps["lower"].attrs["units"] == "rad"
+    assert numpy.allclose(maps["k_cr"], critical(inertia), rtol=1e-6)
+    assert list(maps["spectral_abscissa"].values < 0) == list(critical(inertia) < between)
+    assert maps["spectral_abscissa"].values[0] > 0 > maps["spectral_abscissa"].values[-1]  # stretched, folded
+
+    # the same from a spec, over the pose and the gain, and the angle from which on the arm slides
+    spec = {"joint": str(tmp_path / "upper.toml"), "robot": {"file": str(urdf), "joint": "upper", "armature": ROTOR[0]},
+            "axes": {"pose.lower": {"from": 0.0, "to": 3.0, "points": 7}, "control.k_p": [between / 2, between]}}
+    joint.save(spec["joint"])
+    assert numpy.allclose(stickslip.sweep(spec)["k_cr"].isel(k_p=1), critical(inertia), rtol=1e-6)
+    found = stickslip.boundary(spec, along="pose.lower", kind="linear", settings={"control.k_p": between}).at("lines.0.points.0.value")
+    m11 = (between * L / (B - A) - 1) * L * A / V**2 - ROTOR[0]
+    assert abs(mass_matrix((0, found))[0, 0] - m11) < 1e-6 * m11
+    with pytest.raises(StickslipError, match="axes.pose.lowr: is none of the other joints of the robot, expected pose.lower"):
         stickslip.sweep_poses(urdf, "upper", {"lowr": elbow}, joint)
     with pytest.raises(StickslipError, match="both have lower"):
         stickslip.sweep_poses(urdf, "upper", {"lower": elbow}, joint, at={"lower": 1})

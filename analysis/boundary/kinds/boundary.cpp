@@ -63,20 +63,20 @@ Joint prepared(Joint joint, BoundaryKind kind)
 class JointOnChart {
   public:
     JointOnChart(const Joint& joint, const Axis& x, const Axis& y)
-        : joint_(joint), x_(&number_at(joint_, x.path)), y_(&number_at(joint_, y.path))
+        : joint_(joint), x_(number_at(joint_, x.path)), y_(number_at(joint_, y.path))
     {
     }
     JointOnChart(const JointOnChart&) = delete;  // the numbers point into the joint
 
     double side(double x, double y, const BoundaryRequest& request)
     {
-        *x_ = x, *y_ = y;
+        x_ = x, y_ = y;
         return side_of(joint_, request);
     }
 
   private:
     Joint joint_;
-    double *x_, *y_;
+    JointNumber x_, y_;
 };
 
 Sides sides_over(const Joint& joint, const Axis& x, const Axis& y, const BoundaryRequest& request)

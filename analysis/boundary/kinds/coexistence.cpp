@@ -56,8 +56,7 @@ bool has_smooth_orbits(const Joint& joint, const std::vector<Axis>& axes)
     // an end of an axis may bring a delay, a period or a limit into a loop that has none
     for (const bool last : {false, true}) {
         Joint corner = joint;
-        for (const auto& axis : axes)
-            *find_parameter(corner, axis.path) = last ? axis.values.back() : axis.values.front();
+        for (const auto& axis : axes) number_at(corner, axis.path) = last ? axis.values.back() : axis.values.front();
         if (!smooth(corner)) return false;
     }
     return true;

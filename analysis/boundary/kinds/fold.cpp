@@ -47,8 +47,8 @@ class FoldSearch {
     {
         const UnitAxis x(result_.x), y(result_.y);
         Joint joint = joint_;
-        *find_parameter(joint, result_.x.path) = x.value(p.u);
-        *find_parameter(joint, result_.y.path) = y.value(p.v);
+        number_at(joint, result_.x.path) = x.value(p.u);
+        number_at(joint, result_.y.path) = y.value(p.v);
         const OrbitSystem along(joint, {axis(along_y)});
         const std::optional<FoldSeed> seed = search(along, along_y ? p.v : p.u);
         turns_ += along.turns();
@@ -79,8 +79,8 @@ class FoldSearch {
                 const auto& p = piece.points[i];
                 const UnitPoint place{x.unit(p.x), y.unit(p.y)};
                 Joint joint = joint_;
-                *find_parameter(joint, result_.x.path) = p.x;
-                *find_parameter(joint, result_.y.path) = p.y;
+                number_at(joint, result_.x.path) = p.x;
+                number_at(joint, result_.y.path) = p.y;
                 if (!is_subcritical(joint)) {
                     done = false;
                     continue;
@@ -100,8 +100,8 @@ class FoldSearch {
             for (int i = 0; i <= cells; ++i) {
                 nodes.push_back({static_cast<double>(i) / cells, static_cast<double>(j) / cells});
                 joints.push_back(joint_);
-                *find_parameter(joints.back(), result_.x.path) = x.value(nodes.back().u);
-                *find_parameter(joints.back(), result_.y.path) = y.value(nodes.back().v);
+                number_at(joints.back(), result_.x.path) = x.value(nodes.back().u);
+                number_at(joints.back(), result_.y.path) = y.value(nodes.back().v);
             }
         const auto sides = coexistence(joints, request_.parallel);
         auto& guard = result_.guard;

@@ -50,8 +50,8 @@ void keep_folds(const Joint& joint, FollowedBoundary& boundary, const BoundaryRe
         for (const auto& p : piece.points) {
             const auto [x, y] = end_with_cycle(p);
             joints.push_back(joint);
-            *find_parameter(joints.back(), boundary.x.path) = x;
-            *find_parameter(joints.back(), boundary.y.path) = y;
+            number_at(joints.back(), boundary.x.path) = x;
+            number_at(joints.back(), boundary.y.path) = y;
         }
     const auto sides = coexistence(joints, request.parallel);
     boundary.evaluations += static_cast<int>(joints.size());
@@ -88,7 +88,7 @@ std::vector<SideAt> FoldBySides::scan(int count)
     for (int i = 0; i <= count; ++i) {
         nodes.push_back({unit_.value(static_cast<double>(i) / count)});
         joints.push_back(joint_);
-        *find_parameter(joints.back(), axis_.path) = nodes.back().value;
+        number_at(joints.back(), axis_.path) = nodes.back().value;
     }
     const auto sides = coexistence(joints, request_.parallel);
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].side = sides[i];
@@ -99,7 +99,7 @@ std::vector<SideAt> FoldBySides::scan(int count)
 SideAt FoldBySides::at(double value)
 {
     Joint joint = joint_;
-    *find_parameter(joint, axis_.path) = value;
+    number_at(joint, axis_.path) = value;
     ++evaluations_;
     return {value, coexistence({joint}, request_.parallel).front()};
 }
@@ -154,7 +154,7 @@ FollowedBoundary follow_folds_by_sides(const Joint& joint, const Axis& x, const 
     sides.many = [&](const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& values) {
         std::vector<Joint> joints(u.size(), joint);
         for (std::size_t i = 0; i < u.size(); ++i)
-            *find_parameter(joints[i], x.path) = u[i], *find_parameter(joints[i], y.path) = v[i];
+            number_at(joints[i], x.path) = u[i], number_at(joints[i], y.path) = v[i];
         values = cycle_sides(joints, request.parallel);
     };
     sides.at = [&](double u, double v) {

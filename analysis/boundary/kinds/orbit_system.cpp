@@ -41,7 +41,7 @@ Joint OrbitSystem::joint_at(const Eigen::VectorXd& q) const
 {
     Joint joint = joint_;
     for (std::size_t i = 0; i < paths_.size(); ++i)
-        *find_parameter(joint, paths_[i]) = units_[i].value(q[static_cast<Eigen::Index>(i)]);
+        number_at(joint, paths_[i]) = units_[i].value(q[static_cast<Eigen::Index>(i)]);
     return joint;
 }
 

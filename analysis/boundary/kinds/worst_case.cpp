@@ -75,8 +75,8 @@ FollowedBoundary follow_robust_boundary(const Joint& joint, const Axis& x, const
     sides.precision = is_set(request.precision) ? request.precision : robust_precision;
     sides.at = [&](double u, double v) {
         Joint here = joint;
-        *find_parameter(here, x.path) = u;
-        *find_parameter(here, y.path) = v;
+        number_at(here, x.path) = u;
+        number_at(here, y.path) = v;
         return worst_case(here, uncertainty, Curve::Kind::state_variable, false).instability;
     };
     if (request.parallel)

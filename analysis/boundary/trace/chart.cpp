@@ -43,11 +43,13 @@ std::vector<double> refined(const Axis& axis, int mesh)
 class Marching {
   public:
     Marching(const Joint& joint, const Axis& x, const Axis& y, Curve::Kind theory, int mesh)
-        : joint_(joint), theory_(theory), xs_(refined(x, mesh)), ys_(refined(y, mesh))
+        : joint_(joint),
+          theory_(theory),
+          xs_(refined(x, mesh)),
+          ys_(refined(y, mesh)),
+          x_(number_at(joint_, x.path)),
+          y_(number_at(joint_, y.path))
     {
-        x_ = find_parameter(joint_, x.path);
-        y_ = find_parameter(joint_, y.path);
-        if (!x_ || !y_) throw std::invalid_argument("no number at " + (x_ ? y.path : x.path));
         for (const double v : ys_)
             for (const double u : xs_) values_.push_back(at(u, v));
     }
@@ -73,7 +75,7 @@ class Marching {
 
     double at(double x, double y)
     {
-        *x_ = x, *y_ = y;
+        x_ = x, y_ = y;
         return instability(joint_, theory_);
     }
 
@@ -168,7 +170,7 @@ class Marching {
     Joint joint_;
     Curve::Kind theory_;
     std::vector<double> xs_, ys_;
-    double *x_ = nullptr, *y_ = nullptr;
+    JointNumber x_, y_;
     std::vector<double> values_;
     std::map<Edge, std::vector<Edge>> links_;
     double precision_ = 0;

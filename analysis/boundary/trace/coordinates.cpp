@@ -27,7 +27,7 @@ std::vector<Coordinate> of_roles(Joint joint, std::initializer_list<Role> roles)
     return found;
 }
 
-double value_in(Joint& joint, const Coordinate& c)
+double value_in(const Joint& joint, const Coordinate& c)
 {
     const double* number = find_parameter(joint, c.path);
     const double* less = c.less.empty() ? nullptr : find_parameter(joint, c.less);
@@ -38,9 +38,8 @@ double value_in(Joint& joint, const Coordinate& c)
 
 }  // namespace
 
-double value_of(const Joint& given, const Coordinate& c)
+double value_of(const Joint& joint, const Coordinate& c)
 {
-    Joint joint = given;
     return value_in(joint, c);
 }
 
@@ -53,12 +52,12 @@ MovableJoint::MovableJoint(const Joint& joint, const std::vector<Coordinate>& co
             throw std::invalid_argument(c.less.empty()
                                             ? c.path + ": is 0 or no number of this joint"
                                             : c.path + " − " + c.less + ": is not a positive parameter of this joint");
-        double* less = c.less.empty() ? nullptr : find_parameter(joint_, c.less);
-        double* number = find_parameter(joint_, c.path);
+        const double* less = c.less.empty() ? nullptr : find_parameter(joint_, c.less);
+        const double* number = find_parameter(joint_, c.path);
         const auto leaf = std::ranges::find(leaves, number, &Parameter::value);
         Range range = leaf == leaves.end() ? Range{} : leaf->range;
         range.whole = false;  // a number that is moved a little is between two
-        numbers_.push_back({number, less, value, c.scale, range});
+        numbers_.push_back({number_at(joint_, c.path), less, value, c.scale, range});
     }
 }
 
@@ -68,14 +67,14 @@ const Joint& MovableJoint::at(const std::vector<double>& q)
         for (std::size_t i = 0; i < numbers_.size(); ++i) {
             const auto& n = numbers_[i];
             if ((n.less != nullptr) != difference) continue;
-            *n.value = n.from * std::exp(q[i] * n.scale) + (difference ? *n.less : 0);
+            n.value = n.from * std::exp(q[i] * n.scale) + (difference ? *n.less : 0);
         }
     return joint_;
 }
 
 bool MovableJoint::allowed() const
 {
-    return std::ranges::all_of(numbers_, [](const Number& n) { return n.range.holds(*n.value); });
+    return std::ranges::all_of(numbers_, [](const Number& n) { return n.range.holds(n.value); });
 }
 
 Joint moved(const Joint& joint, const std::vector<Coordinate>& coordinates, const std::vector<double>& q)

@@ -2,7 +2,7 @@
 // B − A on which stability hangs more plainly than on B.
 #pragma once
 #include "analysis/base/field.h"
-#include "analysis/joint/joint.h"
+#include "analysis/joint/parameters.h"
 #include "analysis/results/boundary.h"
 #include "analysis/results/point.h"
 
@@ -36,8 +36,8 @@ class MovableJoint {
 
   private:
     struct Number {
-        double* value;
-        double* less;  ///< null for a plain number
+        JointNumber value;
+        const double* less;  ///< null for a plain number
         double from, scale;
         Range range;
     };

@@ -74,10 +74,9 @@ std::vector<BoundaryPoint> locate_on_ray(const Joint& given, std::string_view pa
                                          Curve::Kind theory, int scan)
 {
     Joint joint = given;
-    double* parameter = find_parameter(joint, path);
-    if (!parameter) throw std::invalid_argument("no number at " + std::string(path));
+    const auto parameter = number_at(joint, path);
     const auto at = [&](double value) {
-        *parameter = value;
+        parameter = value;
         return instability(joint, theory);
     };
     const auto node = [&](int i) {
@@ -102,8 +101,7 @@ Margin margin_along(const Joint& joint, const Axis& axis)
     Margin margin;
     margin.axis = axis;
     margin.axis.values.clear();
-    Joint copy = joint;
-    const double* parameter = find_parameter(copy, axis.path);
+    const double* parameter = find_parameter(joint, axis.path);
     if (!parameter) throw std::invalid_argument("no number at " + axis.path);
     margin.value = *parameter;
     const bool log = axis.log && margin.value > 0;

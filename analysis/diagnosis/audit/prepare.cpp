@@ -148,9 +148,8 @@ Joint joint_in(const Record& record, const Joint& nominal)
 {
     Joint joint = nominal;
     for (const auto& [path, value] : record.overrides) {
-        double* number = find_parameter(joint, path);
-        if (!number) throw CannotAnswer(CannotAnswer::Why::no_parameter, record.name, path);
-        *number = value;
+        if (!find_parameter(joint, path)) throw CannotAnswer(CannotAnswer::Why::no_parameter, record.name, path);
+        number_at(joint, path) = value;
     }
     return joint;
 }

@@ -42,9 +42,9 @@ Joint joint_at(const Joint& nominal, const OutcomeTable& table, const std::vecto
     Joint joint = nominal;
     bool by_force = false;
     for (std::size_t k = 0; k < table.paths.size(); ++k) {
-        double* setting = find_parameter(joint, table.paths[k]);
-        if (!setting) throw CannotAnswer(CannotAnswer::Why::no_number, table.name, table.paths[k]);
-        *setting = settings[k];
+        if (!find_parameter(joint, table.paths[k]))
+            throw CannotAnswer(CannotAnswer::Why::no_number, table.name, table.paths[k]);
+        number_at(joint, table.paths[k]) = settings[k];
         by_force = by_force || table.paths[k] == "control.force_rate";
     }
     auto& c = joint.control;

@@ -173,6 +173,15 @@ std::string spec_sections()
         "1e5, points = 31 }`, or a list of values.\n\n" +
         key_heading + hand_rows(spec_keys, "axes");
     text +=
+        "\n### `[robot]`\n\nThe joint as one of a robot: its inertia and gravity are those of the pose of the other "
+        "joints, "
+        "whose coordinates (rad, or m of those that slide) are numbers of the joint, such as `pose.elbow`: an axis, or "
+        "a "
+        "value in `[design]`. Others stand at their zero. In place of `joint.inertia` (several masses: "
+        "`joint.link_inertia`), `load.gravity_amplitude` and `load.gravity_phase`, of a sliding joint `load.constant`, "
+        "the numbers of the pose hold.\n\n" +
+        key_heading + hand_rows(spec_keys, "robot");
+    text +=
         "\n### `[design]`\n\nThe marked point: a value under the path of any number of the joint. It holds for the "
         "whole sweep unless it is an axis.\n";
     text += "\n### `[nonlinear]`\n\n" + key_heading + declared(keys_of(NonlinearSpec{}, "nonlinear"));

@@ -42,13 +42,12 @@ class Reader {
         value = node.attribute(name).as_string(value.c_str());
     }
 
-    double greatest(const pugi::xml_node& node, const char* range, const char* limited, double before) const
+    void range(const pugi::xml_node& node, const char* name, const char* limited, MjcfRange& range) const
     {
         const std::string state = node.attribute(limited).as_string("auto");
-        const auto values = input_.file.numbers(node, range);
-        if (state == "false") return infinity;
-        if (values.size() != 2 || !input_.limited(state)) return before;
-        return std::max(std::abs(values[0]), std::abs(values[1]));
+        const auto values = input_.file.numbers(node, name);
+        if (state == "false") range = {};
+        if (values.size() == 2 && input_.limited(state)) range = range_of(values);
     }
 
     void apply(const pugi::xml_node& node, MjcfActuator& a) const
@@ -58,8 +57,9 @@ class Reader {
         a.delay = number(node, "delay", a.delay);
         a.damping = number(node, "damping", a.damping);
         a.armature = number(node, "armature", a.armature);
-        a.command = greatest(node, "ctrlrange", "ctrllimited", a.command);
-        a.force = greatest(node, "forcerange", "forcelimited", a.force);
+        range(node, "ctrlrange", "ctrllimited", a.command);
+        range(node, "forcerange", "forcelimited", a.force);
+        range(node, "actrange", "actlimited", a.activation);
         if (a.kind == "general") return apply_general(node, a);
         if (a.kind == "motor") a.gain = 1, a.dynamics = "none", a.bias_type = "none";
         if (a.kind == "position" || a.kind == "intvelocity") apply_position(node, a);
@@ -101,6 +101,11 @@ class Reader {
 };
 
 }  // namespace
+
+MjcfRange range_of(const std::vector<double>& values)
+{
+    return {std::max(std::abs(values[0]), std::abs(values[1])), values[0] != -values[1]};
+}
 
 MjcfActuator read_actuator(const MjcfInput& input, const pugi::xml_node& node)
 {

@@ -10,6 +10,12 @@
 
 namespace stickslip::files {
 
+/// Limits of both signs as a joint of ours has them: one for both directions.
+struct MjcfRange {
+    double greatest = infinity;
+    bool lopsided = false;  ///< one direction has less
+};
+
 /// As the <general> actuator that MuJoCo makes of every shortcut: force = gain · command + bias, clamped, times the
 /// gear.
 struct MjcfActuator {
@@ -18,7 +24,8 @@ struct MjcfActuator {
     double time = 1, gain = 1;
     std::array<double, 3> bias{};  ///< constant, by length, by velocity
     double gear = 1, delay = 0, damping = 0, armature = 0;
-    double command = infinity, force = infinity;  ///< greatest
+    MjcfRange command, force;
+    MjcfRange activation;  ///< of what a filter makes of the command
 
     bool filters() const { return dynamics == "filter" || dynamics == "filterexact"; }
     bool is_motor() const { return gain_type == "fixed" && bias_type == "none" && (dynamics == "none" || filters()); }
@@ -37,6 +44,9 @@ struct MjcfActuator {
                (dynamics == "none" || filters());
     }
 };
+
+/// Of its two ends.
+MjcfRange range_of(const std::vector<double>& values);
 
 /// Its own attributes and those of its classes.
 MjcfActuator read_actuator(const MjcfInput& input, const pugi::xml_node& node);

@@ -9,9 +9,9 @@ namespace stickslip::files {
 namespace {
 
 /// Attributes of an actuator as they are written, its own or of its class.
-const std::vector<const char*> written{"kp",       "kv",     "dampratio", "dyntype",   "gaintype",
-                                       "biastype", "dynprm", "gainprm",   "biasprm",   "timeconst",
-                                       "delay",    "gear",   "ctrlrange", "forcerange"};
+const std::vector<const char*> written{"kp",       "kv",     "dampratio", "dyntype",    "gaintype",
+                                       "biastype", "dynprm", "gainprm",   "biasprm",    "timeconst",
+                                       "delay",    "gear",   "ctrlrange", "forcerange", "actrange"};
 
 /// Which joints the actuator acts on.
 void set_target(const MjcfNames& names, const pugi::xml_node& node, NotTaken& element)
@@ -61,23 +61,36 @@ class Drives {
             }
             j.gear = a.gear;
             j.motor.effort_per_command = a.gear * a.gain;
-            if (input_.acts("clampctrl")) j.motor.command_limit = a.command;
-            j.motor.effort_limit = std::abs(a.gear) * a.force;
-            if (a.filters()) j.motor.lag = std::max(0.0, a.time);
+            if (input_.acts("clampctrl")) limit(node, joint, a.command, "ctrlrange", 1, j.motor.command_limit);
+            limit(node, joint, a.force, "forcerange", std::abs(a.gear), j.motor.effort_limit);
+            if (a.filters()) {
+                j.motor.lag = std::max(0.0, a.time);
+                limit(node, joint, a.activation, "actrange", std::abs(j.motor.effort_per_command),
+                      j.motor.effort_limit);
+            }
             j.motor.delay = std::max(0.0, a.delay);
         }
         for (const auto& [joint, servos] : servos_) {
-            auto& limit = robot_.joints[static_cast<std::size_t>(joint)].servo.effort_limit;
-            for (const auto& [node, force] : servos) {
-                if (servos.size() == 1) limit = force;
+            auto& j = robot_.joints[static_cast<std::size_t>(joint)];
+            for (const auto& [node, a] : servos) {
+                if (servos.size() == 1)
+                    limit(node, joint, a.force, "forcerange", std::abs(a.gear), j.servo.effort_limit);
                 // each of several clamps its own part, which a limit of their sum does not express
-                if (servos.size() > 1 && std::isfinite(force))
+                else if (std::isfinite(a.force.greatest))
                     leave_out(node, joint, NotTakenReason::limit, {"forcerange"});
             }
         }
     }
 
   private:
+    /// Of two limits the tighter; ours are the same in both directions.
+    void limit(const pugi::xml_node& node, int joint, const MjcfRange& range, const char* name, double factor,
+               double& ours)
+    {
+        ours = std::min(ours, factor * range.greatest);
+        if (range.lopsided) leave_out(node, joint, NotTakenReason::lopsided, {name});
+    }
+
     void add_servo(const pugi::xml_node& node, int joint, const MjcfActuator& a, double k_p, double k_v, bool own)
     {
         auto& j = robot_.joints[static_cast<std::size_t>(joint)];
@@ -88,9 +101,9 @@ class Drives {
         s.k_v = sum(s.k_v, k_v);
         if (own) s.own_k_v += k_v;
         if (own && a.bias[2] > 0) s.per_root_inertia += 2 * a.bias[2] * std::sqrt(std::max(k_p, 0.0));
-        servos_[joint].push_back({node, std::abs(a.gear) * a.force});
+        servos_[joint].push_back({node, a});
         if (a.filters() || a.delay > 0)
-            leave_out(node, joint, NotTakenReason::target, {"timeconst", "dyntype", "dynprm", "delay"});
+            leave_out(node, joint, NotTakenReason::target, {"timeconst", "dyntype", "dynprm", "actrange", "delay"});
     }
 
     void leave_out(const pugi::xml_node& node, int joint, NotTakenReason reason,
@@ -112,7 +125,7 @@ class Drives {
     const MjcfInput& input_;
     Robot& robot_;
     std::vector<Motor> motors_;
-    std::map<int, std::vector<std::pair<pugi::xml_node, double>>> servos_;  ///< by joint: the force that each may have
+    std::map<int, std::vector<std::pair<pugi::xml_node, MjcfActuator>>> servos_;  ///< by joint
 };
 
 }  // namespace

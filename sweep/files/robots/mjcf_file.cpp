@@ -1,7 +1,8 @@
 // MJCF: the tree of bodies, joints, actuators and equalities. https://mujoco.readthedocs.io/en/stable/XMLreference.html
+#include "sweep/files/robots/mjcf_actuator.h"
 #include "sweep/files/robots/mjcf_forces.h"
 #include "sweep/files/robots/mjcf_inertia.h"
-#include "sweep/files/robots/robot_file.h"
+#include "sweep/files/robots/robot_xml.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 class MjcfReader {
   public:
-    explicit MjcfReader(const std::filesystem::path& path) : input_(path) {}
+    explicit MjcfReader(MjcfInput input) : input_(std::move(input)) {}
 
     Robot read()
     {
@@ -85,6 +86,15 @@ class MjcfReader {
         set_inertia(robot_.bodies[static_cast<std::size_t>(index)], parts);
     }
 
+    /// Of a joint that comes next: its effort is limited alike in both directions.
+    void take_effort_range(const pugi::xml_node& node, const MjcfRange& range, RobotJoint& joint)
+    {
+        joint.effort = range.greatest;
+        if (!range.lopsided) return;
+        robot_.not_taken.push_back(not_taken(input_, NotTakenReason::lopsided, node, {"actuatorfrcrange"}));
+        robot_.not_taken.back().joints = {static_cast<int>(robot_.joints.size())};
+    }
+
     void add_joint(pugi::xml_node node, int body, const std::string& childclass, const Eigen::Isometry3d& frame)
     {
         input_.apply_defaults(node, childclass);
@@ -121,7 +131,7 @@ class MjcfReader {
         }
         if (const auto range = input_.file.numbers(node, "actuatorfrcrange");
             range.size() == 2 && input_.limited(node.attribute("actuatorfrclimited").as_string("auto")))
-            joint.effort = std::max(std::abs(range[0]), std::abs(range[1]));
+            take_effort_range(node, range_of(range), joint);
         robot_.bodies[static_cast<std::size_t>(body)].joints.push_back(index);
         robot_.joints.push_back(joint);
     }
@@ -188,9 +198,9 @@ class MjcfReader {
 
 }  // namespace
 
-Robot read_mjcf(const std::filesystem::path& path)
+Robot read_mjcf(XmlFile file, const std::filesystem::path& folder)
 {
-    return MjcfReader(path).read();
+    return MjcfReader(MjcfInput(std::move(file), folder)).read();
 }
 
 }  // namespace stickslip::files

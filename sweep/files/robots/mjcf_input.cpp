@@ -1,43 +1,40 @@
 #include "sweep/files/robots/mjcf_input.h"
 
-#include "sweep/files/text/bad_input.h"
-#include "sweep/files/text/toml_input.h"
-
 #include <cctype>
 #include <numbers>
 
 namespace stickslip::files {
 
-MjcfInput::MjcfInput(const std::filesystem::path& path) : file(path)
-{
-    include(file.root(), path.parent_path(), 0);
-    read_compiler();
-    read_flags();
-    for (const auto& element : file.root().children("default")) collect(element, "");
-    for (const char* element : {"deformable", "composite"})
-        if (const auto node = file.root().child(element)) file.fail(node, "is not supported");
-}
+namespace {
 
 /// Puts the children of each included file in the place of its <include>.
-void MjcfInput::include(pugi::xml_node node, const std::filesystem::path& folder, int depth)
+void include(XmlFile& file, pugi::xml_node node, const std::filesystem::path& folder, int depth)
 {
     if (depth > 10) file.fail(node, "includes itself");
     for (auto child = node.first_child(); child;) {
         const auto next = child.next_sibling();
         if (std::string(child.name()) == "include") {
-            const auto path = folder / file.required(child, "file");
-            pugi::xml_document other;
-            const std::string text = read_text(path);
-            if (const auto result = other.load_buffer(text.data(), text.size()); !result)
-                throw BadInput(path.string() + ": is not XML: " + result.description());
-            include(other.document_element(), folder, depth + 1);
-            for (const auto& part : other.document_element().children()) node.insert_copy_before(part, child);
+            XmlFile other(folder / file.required(child, "file"));
+            include(other, other.root(), folder, depth + 1);
+            for (const auto& part : other.root().children()) file.insert_before(child, other, part);
             node.remove_child(child);
         } else {
-            include(child, folder, depth);
+            include(file, child, folder, depth);
         }
         child = next;
     }
+}
+
+}  // namespace
+
+MjcfInput::MjcfInput(XmlFile xml, const std::filesystem::path& folder) : file(std::move(xml))
+{
+    include(file, file.root(), folder, 0);
+    read_compiler();
+    read_flags();
+    for (const auto& element : file.root().children("default")) collect(element, "");
+    for (const char* element : {"deformable", "composite"})
+        if (const auto node = file.root().child(element)) file.fail(node, "is not supported");
 }
 
 void MjcfInput::read_compiler()

@@ -9,7 +9,8 @@ namespace stickslip::files {
 
 class MjcfInput {
   public:
-    explicit MjcfInput(const std::filesystem::path& path);
+    /// `folder` is where included files are looked up.
+    MjcfInput(XmlFile xml, const std::filesystem::path& folder);
 
     XmlFile file;
     bool autolimits = true, degrees = true;
@@ -33,7 +34,6 @@ class MjcfInput {
     double angle(double written) const;
 
   private:
-    void include(pugi::xml_node node, const std::filesystem::path& folder, int depth);
     void read_compiler();
     void read_flags();
     void collect(const pugi::xml_node& element, const std::string& parent);

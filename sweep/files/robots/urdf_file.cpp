@@ -1,5 +1,5 @@
 // URDF: links and joints, a tree by its own rules. https://wiki.ros.org/urdf/XML
-#include "sweep/files/robots/robot_file.h"
+#include "sweep/files/robots/robot_xml.h"
 #include "sweep/files/robots/xml_input.h"
 
 #include <map>
@@ -212,9 +212,8 @@ void read_gears(const XmlFile& file, Robot& robot)
 
 }  // namespace
 
-Robot read_urdf(const std::filesystem::path& path)
+Robot read_urdf(const XmlFile& file)
 {
-    const XmlFile file(path);
     refuse_xacro(file);
     Robot robot;
     TreeBuilder(file, robot).read();

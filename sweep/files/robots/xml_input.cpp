@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace stickslip::files {
 namespace {
@@ -21,7 +22,9 @@ std::string line_of(const std::string& text, std::ptrdiff_t offset)
 
 }  // namespace
 
-XmlFile::XmlFile(const std::filesystem::path& file) : name_(file.string()), text_(read_text(file))
+XmlFile::XmlFile(const std::filesystem::path& file) : XmlFile(file.string(), read_text(file)) {}
+
+XmlFile::XmlFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text))
 {
     const auto result = document_.load_buffer(text_.data(), text_.size());
     if (!result) throw BadInput(name_ + line_of(text_, result.offset) + ": is not XML: " + result.description());
@@ -29,7 +32,27 @@ XmlFile::XmlFile(const std::filesystem::path& file) : name_(file.string()), text
 
 std::string XmlFile::place(const pugi::xml_node& node) const
 {
+    if (const auto found = places_.find(node.hash_value()); found != places_.end()) return found->second;
     return name_ + line_of(text_, node.offset_debug());
+}
+
+void XmlFile::insert_before(const pugi::xml_node& child, const XmlFile& other, const pugi::xml_node& node)
+{
+    keep_places(other, node, child.parent().insert_copy_before(node, child));
+}
+
+void XmlFile::keep_places(const XmlFile& other, const pugi::xml_node& node, const pugi::xml_node& copy)
+{
+    places_[copy.hash_value()] = other.place(node);
+    auto part = copy.first_child();
+    for (const auto& original : node.children()) keep_places(other, original, part), part = part.next_sibling();
+}
+
+std::string XmlFile::text() const
+{
+    std::ostringstream text;
+    document_.save(text, " ");
+    return text.str();
 }
 
 void XmlFile::fail(const pugi::xml_node& node, const std::string& text) const

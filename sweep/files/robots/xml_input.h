@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,14 @@ class XmlFile {
   public:
     /// Throws BadInput where the file cannot be read or is no XML.
     explicit XmlFile(const std::filesystem::path& file);
+    /// The same of text; `name` is what messages call it.
+    XmlFile(std::string name, std::string text);
 
     pugi::xml_node root() const { return document_.document_element(); }
-    pugi::xml_document& document() { return document_; }
+    /// Puts a copy of a node of another file before one of this; it keeps the place where it was written.
+    void insert_before(const pugi::xml_node& child, const XmlFile& other, const pugi::xml_node& node);
+    /// The whole document as it now is.
+    std::string text() const;
     /// "robot.urdf:12"
     std::string place(const pugi::xml_node& node) const;
     [[noreturn]] void fail(const pugi::xml_node& node, const std::string& text) const;
@@ -29,8 +35,11 @@ class XmlFile {
     std::string required(const pugi::xml_node& node, const char* name) const;
 
   private:
+    void keep_places(const XmlFile& other, const pugi::xml_node& node, const pugi::xml_node& copy);
+
     std::string name_, text_;
     pugi::xml_document document_;
+    std::map<std::size_t, std::string> places_;  ///< of copies from other files, by the hash of the node
 };
 
 /// Symmetric matrix; complains unless it can be the inertia of a body.

@@ -97,7 +97,7 @@ Axis axis_from(const Asked& asked, const std::string& text, const std::string& o
                    number_from(joint, path, range.substr(dots + 2), option)};
     for (const double end : axis.values) {
         Joint at = asked.design;
-        *find_parameter(at, path) = end;
+        number_at(at, path) = end;
         if (const auto late = files::refused_memory(at.control, at.sensor.delay); !late.path.empty())
             throw BadInput(fmt::format("{} {}: {} {}", option, path, late.path, late.message));
     }

@@ -195,8 +195,8 @@ std::vector<Axis> read_axes(const toml::table& table, Joint& joint, const PlanLi
         points *= reader.requested();
         if (axis) {
             Joint latest = joint;
-            double* number = find_parameter(latest, axis->path);
-            *number = number == &latest.control.period ? axis->values.front() : axis->values.back();
+            const bool period = find_parameter(latest, axis->path) == &latest.control.period;
+            number_at(latest, axis->path) = period ? axis->values.front() : axis->values.back();
             const auto late = refused_memory(latest.control, latest.sensor.delay);
             if (!late.path.empty()) complaints.add(given.place, "axes." + given.path, late.path + " " + late.message);
         }

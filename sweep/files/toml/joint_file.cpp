@@ -140,6 +140,7 @@ void apply_setting(Joint& joint, std::string_view setting)
     Joint changed = joint;
     files::read_into(changed, files::nested(path, files::value_of(value)), complaints, files::Mode::change, {});
     complaints.throw_if_any();
+    if (changed.pose.of && path.starts_with("pose")) changed.pose.of->apply(changed.pose.coordinates, changed);
     joint = changed;
 }
 

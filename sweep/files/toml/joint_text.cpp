@@ -133,6 +133,7 @@ class Writer {
 std::string joint_text(const Joint& given)
 {
     Joint joint = given;
+    joint.pose = {};  // no part of a joint file, which has the numbers of the pose
     Writer writer(units_of(joint), "");
     Joint::fields(joint, writer);
     const std::string text = writer.all();

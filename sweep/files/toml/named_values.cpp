@@ -25,6 +25,25 @@ void flatten(const toml::table& table, const std::string& prefix, const std::vec
     }
 }
 
+/// Inertia and gravity of a joint that stands in a robot.
+bool follows_from_pose(const Joint& joint, const double* number)
+{
+    const auto& m = joint.mechanism;
+    const auto& load = joint.load;
+    return joint.pose.of &&
+           (number == &m.inertia || number == &m.link_inertia || number == &load.gravity_amplitude ||
+            number == &load.gravity_phase || (m.motion == Motion::prismatic && number == &load.constant));
+}
+
+std::string unknown(const Joint& joint, const std::string& path)
+{
+    if (!path.starts_with("pose.")) return "is not a parameter of this joint";
+    if (!joint.pose.of) return "is a pose, which needs a [robot] table with file and joint";
+    std::vector<std::string> names;
+    for (const auto& other : joint.pose.of->neighbours) names.push_back("pose." + other.name);
+    return "is none of the other joints of the robot, expected " + listed(names);
+}
+
 }  // namespace
 
 std::vector<NamedValue> dotted_values(const toml::table& table, const std::vector<std::string>& leaf_keys,
@@ -47,10 +66,15 @@ std::optional<Parameter> find_leaf(Joint& joint, const std::string& path, const 
                                    Complaints& complaints)
 {
     const double* value = find_parameter(joint, path);
+    if (follows_from_pose(joint, value)) {
+        complaints.add(place, std::string(prefix) + "." + path,
+                       "follows from the pose of [robot], expected another number, or the pose of another joint");
+        return {};
+    }
     for (const auto& p : parameters(joint))
         if (p.value == value && value) return p;
     complaints.add(place, std::string(prefix) + "." + path,
-                   "is not a parameter of this joint" + did_you_mean(path, numeric_paths(joint)));
+                   unknown(joint, path) + did_you_mean(path, numeric_paths(joint)));
     return {};
 }
 

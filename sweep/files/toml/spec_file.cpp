@@ -9,6 +9,7 @@
 #include "sweep/files/toml/joint_keys.h"
 #include "sweep/files/toml/joint_table.h"
 #include "sweep/files/toml/named_values.h"
+#include "sweep/files/toml/robot_table.h"
 #include "sweep/files/toml/struct_reader.h"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace stickslip {
 namespace files {
 namespace {
 
-const std::vector<std::string> spec_tables{"title",  "axes",  "design", "nonlinear",   "boundary",
-                                           "report", "check", "record", "requirements"};
+const std::vector<std::string> spec_tables{"title",  "axes",  "design", "nonlinear",    "boundary",
+                                           "report", "check", "record", "requirements", "robot"};
 
 class SpecReader {
   public:
@@ -32,8 +33,7 @@ class SpecReader {
         read_joint_part();
         read_text_at(root_, "title", "", spec_.title, complaints_);
         read_struct("nonlinear", spec_.nonlinear);
-        // paths can be judged only against a joint that is known
-        if (joint_known_) read_paths();
+        if (joint_known_) read_paths();  // which can be judged only against a joint
         read_struct("check", spec_.check);
         return std::move(spec_);
     }
@@ -61,6 +61,7 @@ class SpecReader {
         } else {
             spec_.joint = joint_from(root_, complaints_, spec_tables, folder_);
         }
+        if (complaints_.count() == before) read_robot_table(root_, folder_, spec_.joint, complaints_);
         joint_known_ = complaints_.count() == before;
     }
 
@@ -108,7 +109,7 @@ class SpecReader {
                                               "design." + named.path, complaints_);
                 if (!value) continue;
                 given.emplace_back(leaf->value, *value);
-                if (!is_axis(leaf->value)) *leaf->value = *value;
+                if (!is_axis(leaf->value)) number_at(spec_.joint, leaf->path) = *value;
             }
         }
         for (const auto& axis : spec_.axes) {

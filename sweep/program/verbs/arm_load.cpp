@@ -6,6 +6,7 @@
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/series_file.h"
 #include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/robot_table.h"
 #include "sweep/program/verbs/diagnosis_verbs.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/number_option.h"

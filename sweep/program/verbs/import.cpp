@@ -1,9 +1,10 @@
 // stickslip import: one joint of a robot's description as joint.toml.
-#include "sweep/files/robots/import_text.h"
 #include "sweep/files/robots/robot_file.h"
 #include "sweep/files/text/bad_input.h"
 #include "sweep/files/text/whole_file.h"
+#include "sweep/files/toml/import_text.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/files/toml/robot_table.h"
 #include "sweep/program/verbs/exit_code.h"
 #include "sweep/program/verbs/say.h"
 #include "sweep/program/verbs/verbs.h"

@@ -45,6 +45,7 @@ int new_file(const Options& options)
                       ? starting_joint(value_of(models, options.model), options.law, value_of(motions, options.motion))
                       : read_spec_or_joint(options.from, {}).design;
     apply_settings(joint, options.settings);
+    joint.pose = {};  // of a spec's robot: its numbers are written, the robot is no part of a joint file
     if (options.plain && options.what == "spec")
         throw BadInput("--plain: is for joints; a new spec has comments that say what it may contain");
     const std::string text = options.plain             ? joint_text(joint)

@@ -88,7 +88,7 @@ int draw_again(const std::string& directory, const std::string& output, const st
     if (!date.empty()) summary.provenance.emplace_back("drawn", date);
     const auto report = stability_report(spec, summary, *answer);
     fmt::print("{}", terminal_summary(report));
-    fmt::print("report:  {}\n", write_sweep_report(report, spec, output).string());
+    fmt::print("report:  {}\n", write_sweep_report(report, spec, answer->spec, output).string());
     return exit_done;
 }
 

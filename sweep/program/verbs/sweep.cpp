@@ -26,6 +26,7 @@
 #include "sweep/words/loop_text.h"
 #include "sweep/words/plain_text.h"
 #include "sweep/words/reason_text.h"
+#include "sweep/words/robot_description_text.h"
 #include "sweep/words/verdict_text.h"
 
 #include <fmt/format.h>
@@ -127,7 +128,7 @@ std::pair<std::string, std::filesystem::path> draw_page(const Spec& spec, const 
     stored.left_out = left_out;
     write_sweep_answer(stored, directory);
     const auto report = stability_report(spec, summary, stored);
-    return {terminal_summary(report), write_sweep_report(report, spec, directory)};
+    return {terminal_summary(report), write_sweep_report(report, spec, text, directory)};
 }
 
 int sweep(const Options& options, Invocation& invocation)
@@ -142,6 +143,7 @@ int sweep(const Options& options, Invocation& invocation)
 
     const auto idle = idle_axes(design_joint(spec), spec.axes);
     for (const auto& axis : idle) say("note: {}\n", idle_words(axis));
+    for (const auto& text : unreachable_poses_text(spec.joint, spec.axes)) say("note: {}\n", text);
 
     const PlanOptions plan_options = plan_options_of(options, spec);
     const Plan plan = make_plan(spec.joint, spec.axes, plan_options);

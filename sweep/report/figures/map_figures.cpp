@@ -94,7 +94,11 @@ std::string chart_id(const char* kind, const Axis& x, const Axis& y)
 
 std::string reproducing_command(const Slice& slice, const std::string& depth, const std::string& up)
 {
-    std::string command = "stickslip simulate joint.toml --set " + slice.x.path + "={x} --set " + slice.y.path + "={y}";
+    const auto posed = [](const Axis& axis) { return axis.path.starts_with("pose."); };
+    const bool in_robot = posed(slice.x) || posed(slice.y) ||
+                          std::ranges::any_of(slice.held, [&](const Held& held) { return posed(held.axis); });
+    std::string command = std::string("stickslip simulate ") + (in_robot ? "spec.toml" : "joint.toml") + " --set " +
+                          slice.x.path + "={x} --set " + slice.y.path + "={y}";
     for (const auto& h : slice.held)
         command += " --set " + h.axis.path + "=" +
                    (h.axis.path == depth ? std::string("{depth}")

@@ -10,7 +10,7 @@ std::map<std::string, double> numbers_of(const Spec& spec)
 {
     Joint joint = spec.joint;
     for (std::size_t i = 0; i < spec.axes.size() && i < spec.design.size(); ++i)
-        if (double* value = find_parameter(joint, spec.design[i].first)) *value = spec.design[i].second;
+        if (const auto& [path, value] = spec.design[i]; find_parameter(joint, path)) number_at(joint, path) = value;
     std::map<std::string, double> numbers;
     for (const auto& p : parameters(joint))
         if (std::isfinite(*p.value)) numbers[p.path] = *p.value;

@@ -1,6 +1,7 @@
 #include "sweep/study/import/import.h"
 
 #include "analysis/joint/parameters.h"
+#include "sweep/study/import/posed_robot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,15 +62,10 @@ ImportAnswer import_joint(const Robot& robot, int joint, const std::vector<doubl
                          [&](const NotTaken& of) { return acts_on(robot, of, joint); });
     for (const int j : beyond_limits(robot, pose))
         answer.beyond.push_back({robot.joints[static_cast<std::size_t>(j)], pose[static_cast<std::size_t>(j)]});
-    const auto& d = answer.dynamics;
 
     Joint& j = answer.joint;
-    const bool hinge = described.kind == RobotJointKind::hinge;
-    j.mechanism.motion = hinge ? Motion::revolute : Motion::prismatic;
-    j.mechanism.inertia = d.inertia + described.armature;
-    j.load.gravity_amplitude = d.gravity_amplitude;
-    j.load.gravity_phase = d.gravity_phase;
-    if (!hinge) j.load.constant = d.gravity_effort;
+    j.mechanism.motion = described.kind == RobotJointKind::hinge ? Motion::revolute : Motion::prismatic;
+    take_dynamics(answer.dynamics, described.armature, j);
     CoulombViscous law;
     law.coulomb = described.friction;
     law.viscous = described.damping;

@@ -37,6 +37,14 @@ Placed place(const Robot& robot, const std::vector<double>& pose)
     return at;
 }
 
+std::vector<std::string> movable_joints(const Robot& robot)
+{
+    std::vector<std::string> names;
+    for (const auto& joint : robot.joints)
+        if (joint.kind != RobotJointKind::fixed) names.push_back(joint.name);
+    return names;
+}
+
 bool moves(const Robot& robot, int joint, int body)
 {
     const int moved = robot.joints[static_cast<std::size_t>(joint)].body;

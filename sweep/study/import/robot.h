@@ -61,12 +61,13 @@ struct RobotClosure {
     std::string place, what;
 };
 
-enum class NotTakenReason { spring, target, coupling, actuator, limit, nonlinear, medium, safety };
+enum class NotTakenReason { spring, target, coupling, actuator, limit, lopsided, nonlinear, medium, safety };
 inline constexpr Choice<NotTakenReason> not_taken_reasons[] = {
-    {"spring", NotTakenReason::spring},     {"target", NotTakenReason::target},
-    {"coupling", NotTakenReason::coupling}, {"actuator", NotTakenReason::actuator},
-    {"limit", NotTakenReason::limit},       {"nonlinear", NotTakenReason::nonlinear},
-    {"medium", NotTakenReason::medium},     {"safety", NotTakenReason::safety}};
+    {"spring", NotTakenReason::spring},       {"target", NotTakenReason::target},
+    {"coupling", NotTakenReason::coupling},   {"actuator", NotTakenReason::actuator},
+    {"limit", NotTakenReason::limit},         {"asymmetric-limit", NotTakenReason::lopsided},
+    {"nonlinear", NotTakenReason::nonlinear}, {"medium", NotTakenReason::medium},
+    {"safety", NotTakenReason::safety}};
 
 /// An element that acts on joints and that a joint of ours cannot express.
 struct NotTaken {
@@ -86,6 +87,9 @@ struct Robot {
     std::vector<NotTaken> not_taken;
     Eigen::Vector3d gravity{0, 0, -9.81};
 };
+
+/// Names of the joints that are not fixed, in order.
+std::vector<std::string> movable_joints(const Robot& robot);
 
 /// What the rest of a robot is to one of its axes while all other joints stand still.
 struct AxisDynamics {

@@ -63,7 +63,7 @@ TEST_CASE("a followed curve asks twenty times less a point than bisecting the ro
         int crossed = 0;
         for (int j = 0; j < rows; ++j) {
             Joint joint = example_joint(6e4, 10, 1e-3);
-            *find_parameter(joint, y.path) = y.values[0] * std::pow(y.values[1] / y.values[0], (j + 0.5) / rows);
+            number_at(joint, y.path) = y.values[0] * std::pow(y.values[1] / y.values[0], (j + 0.5) / rows);
             crossed += static_cast<int>(locate_boundaries(joint, x, request).points.size());
         }
         const double bisecting = rows * columns / static_cast<double>(crossed) + halvings;

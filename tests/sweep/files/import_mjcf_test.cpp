@@ -2,10 +2,11 @@
 // bias, clamped to forcerange, times the gear; and what is reported because a joint of ours has no place for it.
 #include <catch2/catch.hpp>
 
-#include "sweep/files/robots/import_text.h"
 #include "sweep/files/robots/robot_file.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/import_text.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/files/toml/robot_table.h"
 #include "sweep/study/import/arm_load.h"
 #include "tests/temporary_directory.h"
 
@@ -96,6 +97,57 @@ TEST_CASE("import: ranges that are not limits do not limit")
     Beam several{.actuators = R"(<position joint="j" kp="90" forcerange="-3 3"/><velocity joint="j" kv="5"/>)"};
     CHECK(imported(several).joint.control.effort_limit == infinity);
     CHECK(joined(imported(several)) == "position: forcerange=\"-3 3\"\n");
+}
+
+TEST_CASE("import: a limit that differs between the directions is the wider one, and reported")
+{
+    const auto motor = driven(R"(<motor joint="j" gear="-2" ctrlrange="-1 3" forcerange="-5 2"/>)");
+    CHECK(motor.joint.control.effort_limit == 3);
+    CHECK(motor.joint.actuator.limit == 10);
+    CHECK(joined(motor) == "motor: ctrlrange=\"-1 3\"\nmotor: forcerange=\"-5 2\"\n");
+    CHECK(motor.not_taken.at(0).reason == NotTakenReason::lopsided);
+    const auto servo = driven(R"(<position joint="j" kp="9" ctrlrange="-1 3" forcerange="0 4"/>)");
+    CHECK(servo.joint.control.effort_limit == 4);
+    CHECK(joined(servo) == "position: forcerange=\"0 4\"\n");
+    const Beam total{.joint = R"(actuatorfrcrange="-7 6")", .actuators = R"(<motor joint="j"/>)"};
+    CHECK(imported(total).joint.actuator.limit == 7);
+    CHECK(joined(imported(total)) == "joint: actuatorfrcrange=\"-7 6\"\n");
+    CHECK(joined(driven(R"(<motor joint="j" forcerange="-5 2" forcelimited="false"/>)")).empty());
+}
+
+TEST_CASE("import: the range of a filter's output is a limit behind the lag")
+{
+    const std::string filtered = R"(<general joint="j" gear="3" gainprm="10" dyntype="filterexact" dynprm=".02" )";
+    const auto limit = [&](const std::string& words) { return driven(filtered + words + "/>").joint.actuator.limit; };
+    CHECK(limit(R"(actrange="-.5 .5")") == 15);
+    CHECK(limit(R"(actrange="-.5 .5" forcerange="-4 4")") == 12);
+    CHECK(limit(R"(actrange="-.5 .5" actlimited="false")") == infinity);
+    CHECK(driven(R"(<motor joint="j" actrange="-1 1"/>)").joint.actuator.limit == infinity);  // nothing is filtered
+    CHECK(joined(driven(R"(<position joint="j" kp="3" timeconst=".1" actrange="-1 1"/>)")) ==
+          "position: timeconst=\".1\" actrange=\"-1 1\"\n");
+}
+
+TEST_CASE("import: what is wrong in an included file is told with its line there")
+{
+    const TemporaryDirectory room;
+    const auto main = room.path() / "arm.xml";
+    std::ofstream(main) << "<mujoco>\n<worldbody><include file=\"part.xml\"/></worldbody>\n</mujoco>";
+    const auto told = [&](const std::string& part) {
+        std::ofstream(room.path() / "part.xml") << part;
+        try {
+            read_robot(main);
+        } catch (const BadInput& bad) {
+            return std::string(bad.what());
+        }
+        return std::string();
+    };
+    const auto place = (room.path() / "part.xml").string();
+    CHECK_THAT(told("<x>\n<body>\n<joint name=\"j\" axis=\"0 1\"/></body></x>"),
+               Catch::StartsWith(place + ":3: <joint \"j\">: axis"));
+    CHECK_THAT(told("<x>\n<body>\n<joint"), Catch::StartsWith(place + ":3: is not XML"));
+    std::ofstream(room.path() / "inner.xml") << "<x>\n\n\n<joint name=\"j\" type=\"wheel\"/></x>";
+    CHECK_THAT(told("<x><body><include file=\"inner.xml\"/></body></x>"),
+               Catch::StartsWith((room.path() / "inner.xml").string() + ":4: "));
 }
 
 TEST_CASE("import: servos of one joint add up, and k_v knows which of them have a target velocity")

@@ -1,10 +1,11 @@
 // One joint of a robot against closed forms of planar arms, from both formats.
 #include <catch2/catch.hpp>
 
-#include "sweep/files/robots/import_text.h"
 #include "sweep/files/robots/robot_file.h"
 #include "sweep/files/text/bad_input.h"
+#include "sweep/files/toml/import_text.h"
 #include "sweep/files/toml/joint_file.h"
+#include "sweep/files/toml/robot_table.h"
 #include "tests/temporary_directory.h"
 
 #include <cmath>

@@ -115,8 +115,8 @@ TEST_CASE("the strip between linear boundary and fold is bistable where simulati
         if (map.region[node] == Region::unstable) continue;
         const bool marked = map.region[node] == Region::bistable;
         if ((marked ? bistable : other)++ >= 6) continue;
-        *find_parameter(joint, "control.k_p") = map.x.values[node % map.x.values.size()];
-        *find_parameter(joint, "control.k_v") = map.y.values[node / map.x.values.size()];
+        number_at(joint, "control.k_p") = map.x.values[node % map.x.values.size()];
+        number_at(joint, "control.k_v") = map.y.values[node / map.x.values.size()];
         INFO("k_p = " << joint.control.k_p << ", k_v = " << joint.control.k_v);
         CHECK((nonlinear_verdict(joint, {}).region == NonlinearRegion::bistable) == marked);
     }

@@ -34,13 +34,13 @@ struct Map {
     Joint joint;
     std::vector<MapAxis> axes;
     std::vector<std::vector<double>> values = {};
-    std::vector<double*> numbers = {};
+    std::vector<JointNumber> numbers = {};
 
     void prepare()
     {
         for (const auto& axis : axes) {
             values.push_back(axis.values());
-            numbers.push_back(find_parameter(joint, axis.path));
+            numbers.push_back(number_at(joint, axis.path));
         }
     }
     std::size_t points() const
@@ -52,7 +52,7 @@ struct Map {
     const Joint& at(std::size_t point)
     {
         for (std::size_t d = axes.size(); d-- > 0; point /= values[d].size())
-            *numbers[d] = values[d][point % values[d].size()];
+            numbers[d] = values[d][point % values[d].size()];
         return joint;
     }
     DenseBox box()

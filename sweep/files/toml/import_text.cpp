@@ -1,4 +1,4 @@
-#include "sweep/files/robots/import_text.h"
+#include "sweep/files/toml/import_text.h"
 
 #include "analysis/joint/parameters.h"
 #include "sweep/files/toml/joint_file.h"

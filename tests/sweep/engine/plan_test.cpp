@@ -44,7 +44,7 @@ TEST_CASE("a cursor equals a joint that was edited by name")
         Joint edited = joint();
         std::uint64_t rest = number;
         for (std::size_t a = swept.size(); a-- > 0; rest /= swept[a].values.size())
-            *find_parameter(edited, swept[a].path) = swept[a].values[rest % swept[a].values.size()];
+            number_at(edited, swept[a].path) = swept[a].values[rest % swept[a].values.size()];
         CHECK(canonical_text(cursor.joint()) == canonical_text(edited));
     }
 }

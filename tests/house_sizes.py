@@ -22,18 +22,20 @@ def functions(lines):
     a lambda with a name, outside functions, opens at the end of its line."""
     at = 0
     while at < len(lines):
-        if lambda_named := re.match(r"(?:\w+ )*auto (\w+) = \[.*\{$", lines[at]):
+        if "auto " in lines[at] and (lambda_named := re.match(r"(?:\w+ )*auto (\w+) = \[.*\{$", lines[at])):
             end = next((i for i in range(at, len(lines)) if lines[i] == "};"), at)
             why = IN_ONE_PIECE.search(lines[at - 1]) if at else None
             yield lambda_named.group(1), end - at + 1, why.group(1) if why else ""
             at = end
-        opens = re.fullmatch(r"( *)\{", lines[at])
+        if not lines[at].endswith("{") or not (opens := re.fullmatch(r"( *)\{", lines[at])):
+            at += 1
+            continue
         start = at
         while start > 0 and lines[start - 1].strip():
             start -= 1
         head = " ".join(line.strip() for line in lines[start:at] if not line.lstrip().startswith("//"))
         named = re.search(r"(\w+|operator\S+)\(.*\)(?: const| override| noexcept)*(?: -> .+?)?(?: requires .+?)?(?: : .*)?$", head)
-        if opens and named:
+        if named:
             end = next((i for i in range(at, len(lines)) if lines[i] == opens.group(1) + "}"), at)
             why = next((found.group(1) for line in lines[start:at] if (found := IN_ONE_PIECE.search(line))), "")
             yield head[:head.find("(")].split(" ")[-1], end - at + 1, why

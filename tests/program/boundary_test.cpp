@@ -82,7 +82,7 @@ TEST_CASE("boundary answers impossible requests with what is possible", "[progra
     CHECK_THAT(range.output, Contains("--along control.k_v=FROM..TO"));
 }
 
-TEST_CASE("folds along the position gain are looked for in joints of several bodies, too", "[program]")
+TEST_CASE("folds along the position gain are looked for in joints of several bodies, too", "[program][slow]")
 {
     for (const char* joint : {"three-mass", "memory"}) {
         const auto run = stickslip(std::string("boundary tests/fuzz/corpus/joint/") + joint +

@@ -24,7 +24,7 @@ std::string strip()
 
 }  // namespace
 
-TEST_CASE("a check passes on every kind of CPU and on one thread as on all", "[program][check]")
+TEST_CASE("a check passes on every kind of CPU and on one thread as on all", "[program][check][slow]")
 {
     Folder folder;
     const auto files = "'" + folder.write("spec.toml", strip()) + "' '" + (folder / "baseline.json") + "'";

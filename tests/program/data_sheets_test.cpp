@@ -274,7 +274,7 @@ V_star = 1e-3
           Approx(Json::parse(near.output)["nonlinear"]["fold_k_p"].get<double>()).epsilon(1e-6));
 }
 
-TEST_CASE("margins of a set point say that it does not slide", "[program][sheets]")
+TEST_CASE("margins of a set point say that it does not slide", "[program][sheets][slow]")
 {
     Folder folder;
     const auto run = stickslip("margins '" + folder.write("joint.toml", carriage) + "' --set control.V0=0");

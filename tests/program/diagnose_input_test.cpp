@@ -221,7 +221,7 @@ TEST_CASE("long travel is suspected where nothing confirms the unit, and believe
     CHECK_THAT(named.output, !Contains("suspected degrees"));
 }
 
-TEST_CASE("an effort that varies while the command is constant is in no other unit", "[program][diagnose]")
+TEST_CASE("an effort that varies while the command is constant is in no other unit", "[program][diagnose][slow]")
 {
     // what a controller makes of 0.9 in single precision, and a drive's noise about it
     std::string text = "time,position,effort_command,effort_measured\n";

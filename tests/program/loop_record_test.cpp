@@ -50,7 +50,7 @@ nlohmann::json diagnosis_of(const Folder& folder, const std::string& settings, c
 
 }  // namespace
 
-TEST_CASE("a record that the joint itself played has no gap")
+TEST_CASE("a record that the joint itself played has no gap", "[slow]")
 {
     const Folder folder;
     CHECK(diagnosis_of(folder, "")["verdict"] == "no-gap");

@@ -115,7 +115,7 @@ TEST_CASE("with position feedback alone the optimum stands on the demanded margi
     for (const auto& c : d.front) CHECK(c.k_p == Approx(5e4 * std::exp(c.margin * std::sqrt(2.0))).epsilon(1e-2));
 }
 
-TEST_CASE("a requirement that cannot be met is named with what could be", "[design]")
+TEST_CASE("a requirement that cannot be met is named with what could be", "[design][slow]")
 {
     Joint joint = example_joint(6e4, 0, 1e-3);
     joint.mechanism.inertia = 1e-9;

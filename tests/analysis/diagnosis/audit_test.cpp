@@ -228,7 +228,7 @@ TEST_CASE("a filter that is written down with fewer digits than it works with is
     CHECK_FALSE(filters_differently(0, 1e-6, 1e-3));
 }
 
-TEST_CASE("a command in whole steps is understood to its rounding, and a gain beyond it is still found", "[gap]")
+TEST_CASE("a command in whole steps is understood to its rounding, and a gain beyond it is still found", "[gap][slow]")
 {
     Machine m;
     m.command_step = 0.2;
@@ -355,7 +355,8 @@ TEST_CASE("a velocity from anywhere else is no evidence of the controller's filt
     CHECK(found.findings.empty());
 }
 
-TEST_CASE("velocities at every second tick tell the filter by the grid on which the readings between must lie", "[gap]")
+TEST_CASE("velocities at every second tick tell the filter by the grid on which the readings between must lie",
+          "[gap][slow]")
 {
     Machine m;
     m.tau = GENERATE(0.0044, 0.0044367);  // documented: 0.003

@@ -12,7 +12,7 @@ using namespace stickslip;
 using namespace stickslip::gap;
 using stickslip::test::Machine;
 
-TEST_CASE("an integral that does not count the present sample is no wrong gain", "[gap]")
+TEST_CASE("an integral that does not count the present sample is no wrong gain", "[gap][slow]")
 {
     const Record plain = test::record_of({}, 1, 4);
     const double tick = plain.time[1] - plain.time[0];

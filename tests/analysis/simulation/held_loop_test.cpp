@@ -100,7 +100,7 @@ TEST_CASE("smooth sliding below the static friction is bistable with rest", "[si
     CHECK(rests(joint, from_rest, 60) == 1);
 }
 
-TEST_CASE("a wide dead zone is waited for", "[simulation][held]")
+TEST_CASE("a wide dead zone is waited for", "[simulation][held][slow]")
 {
     // the reference needs 20 s from one side of the zone to the other
     Joint joint = falling(20);

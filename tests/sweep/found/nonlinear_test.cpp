@@ -35,7 +35,7 @@ TEST_CASE("W5: the fold beyond a nearly degenerate Hopf point is found from eith
     }
 }
 
-TEST_CASE("W5: the fold of a branch whose gain runs off within small amplitudes is found at every gain")
+TEST_CASE("W5: the fold of a branch whose gain runs off within small amplitudes is found at every gain", "[slow]")
 {
     const auto joint = found("w5-small-orbits");
     // as located by `boundary --kind fold`

@@ -60,7 +60,7 @@ TEST_CASE("the page of a cause shows both joints over their gains, and gains tha
     CHECK_THAT(section.tables[0].rows[1][1], Contains("between"));
 }
 
-TEST_CASE("right gains are no softer than the joint's own where those may stay", "[report]")
+TEST_CASE("right gains are no softer than the joint's own where those may stay", "[report][slow]")
 {
     // friction that only damps: least noise alone would give the position up
     Joint before = example_joint(8e3, 120, 1e-2);

@@ -49,7 +49,7 @@ TEST_CASE("findings: share, place and reach of what the linear chart gets wrong"
     CHECK(text.find("k_{v} = 47 N·s/m … 48 N·s/m") != std::string::npos);
 }
 
-TEST_CASE("findings: nothing to say where both theories agree", "[report]")
+TEST_CASE("findings: nothing to say where both theories agree", "[report][slow]")
 {
     const auto slice = strip(40000, 60000);
     const auto found = large_disturbances(example_joint(40000, 47.5, 1e-2), slice);

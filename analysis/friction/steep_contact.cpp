@@ -34,6 +34,16 @@ bool is_steep(const DirectContact& contact, double V)
     return contact.core < narrow * std::abs(V);
 }
 
+bool is_steep_contact(const Friction& friction)
+{
+    constexpr double steep = 41;  // e to it, 1e18
+    if (friction.has_bristle()) return false;
+    if (friction.has_memory() && friction.memory.A > 0)
+        return info(friction.law).set_valued_at_rest && static_force(friction.law) > steep * friction.memory.A;
+    const auto* law = std::get_if<RateAndStateRegularised>(&friction.law);
+    return law && law->A > 0 && law->f0 > steep * law->A;
+}
+
 States rested(const Friction& friction, const States& theta, double time)
 {
     const auto still = respond(friction, 0, theta);

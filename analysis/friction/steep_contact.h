@@ -17,6 +17,10 @@ DirectContact direct_contact(const Friction& friction, double V);
 /// Whether the core is narrower than what a motion about V resolves.
 bool is_steep(const DirectContact& contact, double V);
 
+/// Whether the sinh of a contact with a direct effect is so steep that it turns round at speeds which no motion has,
+/// however fast that is.
+bool is_steep_contact(const Friction& friction);
+
 /// The states of a contact after so long a rest: those of the slip law stay, contacts of the ageing law grow older,
 /// θ = B ln(e^{θ/B} + V* t/L).
 States rested(const Friction& friction, const States& theta, double time);

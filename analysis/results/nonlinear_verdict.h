@@ -43,8 +43,8 @@ struct NonlinearVerdict {
     /// The encoder's steps, noise or forces that change on the way alone lead into the cycle, although smaller
     /// disturbances decay.
     bool noise_suffices = false;
-    /// Places at which a load that changes slowly with the position was held; the answer is that of the worst. 0: none
-    /// was.
+    /// Places at which what changes slowly (a load, a wave of the friction, a drift) was held; the answer is that of
+    /// the worst. 0: nothing was.
     int held_places = 0;
     bool places_alike = true;    ///< all of them have its outcome and region
     bool used_fallback = false;  ///< CVODE gave up on the way and Rodas5P finished

@@ -111,9 +111,12 @@ Table nonlinear_table(const Joint& joint, const NonlinearVerdict& v)
         table.rows.push_back(
             {"larger disturbances", "also end in steady sliding: " + larger_tried_text(v.searched_from)});
     if (v.held_places > 0)
-        table.rows.push_back({"load that changes slowly with the position",
-                              fmt::format("held at {} places, where it pulls most and where it changes most: {}",
-                                          v.held_places, v.places_alike ? "the same at all" : "this is the worst")});
+        table.rows.push_back(
+            {"slow loads, waves and drifts",
+             v.held_places == 1
+                 ? "friction as it is after its drift, which is soon over"
+                 : fmt::format("held at {} places, where it is largest and where it changes most: {}", v.held_places,
+                               v.places_alike ? "the same at all" : "this is the worst")});
     if (v.repeats > 1) table.rows.push_back({"cycles after which the motion repeats", std::to_string(v.repeats)});
     const auto add = [&](const char* name, double value, Quantity q) {
         if (is_set(value)) table.rows.push_back({name, with_unit(value, q, units, 4)});

@@ -8,7 +8,7 @@
 #include "analysis/simulation/attractor/growth.h"
 #include "analysis/simulation/attractor/large_starts.h"
 #include "analysis/simulation/attractor/loop_answer.h"
-#include "analysis/simulation/attractor/slow_load.h"
+#include "analysis/simulation/attractor/slow_changes.h"
 #include "analysis/simulation/flows/backwards.h"
 #include "analysis/simulation/flows/delayed_flow.h"
 #include "analysis/stability/joint_spectrum.h"
@@ -232,7 +232,7 @@ std::string NonlinearOptions::problem() const
 NonlinearVerdict nonlinear_verdict(const Joint& joint, const NonlinearOptions& options)
 {
     require_valid(options);
-    if (const auto slow = slow_load_verdict(joint, options)) return *slow;
+    if (const auto slow = slow_change_verdict(joint, options)) return *slow;
     if (takes_ticks(joint)) return verdict_of(loop_verdict(joint, loop_question(options)), options);
     const double V0 = commanded_velocity(joint);
     if (!(V0 < 0)) return verdict_of_flow(joint, options);

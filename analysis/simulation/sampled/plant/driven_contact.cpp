@@ -1,6 +1,7 @@
 // Friction of a driven joint's bodies: what it answers, what it holds at rest, when a body sticks or slips.
 #include "analysis/simulation/sampled/plant/driven_joint.h"
-#include "analysis/simulation/sampled/plant/friction_level.h"
+
+#include "analysis/friction/level.h"
 
 #include <algorithm>
 #include <cmath>

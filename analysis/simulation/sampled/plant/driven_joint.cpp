@@ -1,6 +1,7 @@
 #include "analysis/simulation/sampled/plant/driven_joint.h"
 
-#include "analysis/simulation/sampled/plant/friction_level.h"
+#include "analysis/friction/level.h"
+#include "analysis/friction/steep_contact.h"
 
 #include <cmath>
 

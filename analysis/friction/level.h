@@ -1,5 +1,4 @@
-// The level of a friction law, which place, time and load add to. Internal to
-// analysis/simulation/sampled/plant.
+// The level of a friction law, which place, time and load add to.
 #pragma once
 #include "analysis/friction/friction.h"
 
@@ -8,7 +7,7 @@
 
 namespace stickslip {
 
-/// The numbers of a law that place, time and load add to.
+/// Takes each number [N | N·m] of a law that place, time and load add to; false for a law that has none.
 template <class Take>
 bool with_levels(FrictionLaw& law, Take&& take)
 {
@@ -34,17 +33,6 @@ bool with_levels(FrictionLaw& law, Take&& take)
 inline void raise(FrictionLaw& law, double by)
 {
     with_levels(law, [by](double& level) { level = std::max(0.0, level + by); });
-}
-
-/// Whether a contact's sinh is so steep that it turns round at speeds which no motion has.
-inline bool is_steep_contact(const Friction& f)
-{
-    constexpr double steep = 41;  // e to it, 1e18
-    if (f.has_bristle()) return false;
-    if (f.has_memory() && f.memory.A > 0)
-        return info(f.law).set_valued_at_rest && static_force(f.law) > steep * f.memory.A;
-    const auto* law = std::get_if<RateAndStateRegularised>(&f.law);
-    return law && law->A > 0 && law->f0 > steep * law->A;
 }
 
 }  // namespace stickslip

@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 
 #include "analysis/results/quantity.h"
@@ -89,6 +91,14 @@ struct ShortList {
     static constexpr int max_size = capacity;  ///< room for so many
     std::array<T, capacity> values{};          ///< the first `size` of them count
     int size = 0;                              ///< how many count
+
+    ShortList() = default;
+    /// Of these: `law.B = {1.0, 0.5}`. Throws std::length_error where there is no room for them.
+    ShortList(std::initializer_list<T> these)
+    {
+        if (these.size() > static_cast<std::size_t>(capacity)) throw std::length_error("too many for a short list");
+        for (const T& v : these) push_back(v);
+    }
 
     T& operator[](int i) { return values[static_cast<std::size_t>(i)]; }
     const T& operator[](int i) const { return values[static_cast<std::size_t>(i)]; }

@@ -28,9 +28,8 @@ bool find_missing_k_v(std::vector<Case>& cases, double limit, double misfit_with
         k_v += answer.k_v / static_cast<double>(cases.size()),
             misfit += answer.misfit / static_cast<double>(cases.size());
     }
-    const bool agree = std::all_of(each.begin(), each.end(),
-                                   [&](double x) { return x > k_v / policy::agreeing && x < policy::agreeing * k_v; });
-    if (!(k_v > 0) || !agree || !(misfit < policy::much_less * misfit_without)) return false;
+    const bool damps = std::all_of(each.begin(), each.end(), [](double x) { return x > 0; });
+    if (!damps || !(misfit < policy::much_less * misfit_without)) return false;
     double square = 0;
     for (const double x : each) square += (x - k_v) * (x - k_v);
     const double n = static_cast<double>(each.size());

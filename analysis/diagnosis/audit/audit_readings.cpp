@@ -41,32 +41,72 @@ void audit_grid(std::vector<Case>& cases, Audit& result)
     }
 }
 
+namespace {
+
+/// A source's resistance and open-circuit voltages, from the voltages beside the motor's currents.
+class SupplyLine {
+  public:
+    /// Of one record: its source may have another open-circuit voltage.
+    void add(const std::vector<double>& voltage, const std::vector<double>& current)
+    {
+        const double n = static_cast<double>(voltage.size());
+        Means m;
+        for (std::size_t k = 0; k < voltage.size(); ++k) m.voltage += voltage[k] / n, m.current += current[k] / n;
+        for (std::size_t k = 0; k < voltage.size(); ++k) {
+            const double v = voltage[k] - m.voltage, i = current[k] - m.current;
+            voltage_current_ += v * i, current_current_ += i * i, voltage_voltage_ += v * v;
+        }
+        records_.push_back(m);
+    }
+
+    double resistance() const { return -voltage_current_ / current_current_; }
+    double open_voltage(std::size_t record) const
+    {
+        return records_[record].voltage + resistance() * records_[record].current;
+    }
+    /// Part of the squares of the voltage's changes that the current explains; 0 where it does not change.
+    double explained() const
+    {
+        const double squares = current_current_ * voltage_voltage_;
+        return squares > 0 ? voltage_current_ * voltage_current_ / squares : 0;
+    }
+
+  private:
+    struct Means {
+        double voltage = 0, current = 0;
+    };
+    double voltage_current_ = 0, current_current_ = 0, voltage_voltage_ = 0;
+    std::vector<Means> records_;
+};
+
+}  // namespace
+
 void audit_supply(std::vector<Case>& cases, Audit& result)
 {
-    double drop_current = 0, current_current = 0, drop_drop = 0, rows = 0;
+    SupplyLine line;
     for (const auto& c : cases) {
         const Actuator& a = c.joint.actuator;
         if (a.kind != ActuatorKind::dc_motor || !is_set(a.supply_voltage) || !c.supply_logged) return;
         Innovation innovation;
         const Plant plant = flatten(c.joint);
         predict(plant, c.ticks, known_command(plant, c.ticks), levels[1], innovation);
+        std::vector<double> voltage, current;
         for (std::size_t k = 0; k < c.ticks.size(); ++k) {
             if (!c.ticks.logged[k] || !c.ticks.enabled[k]) continue;
             const double effort = is_set(c.ticks.effort[k]) ? c.ticks.effort[k] : innovation.predicted_effort[k];
-            const double current = std::abs(effort / (a.effort_gain * a.k_t));
-            const double drop = a.supply_voltage - c.ticks.supply[k];
-            drop_current += drop * current, current_current += current * current, drop_drop += drop * drop, rows += 1;
+            voltage.push_back(c.ticks.supply[k]);
+            current.push_back(std::abs(effort / (a.effort_gain * a.k_t)));
         }
+        line.add(voltage, current);
     }
-    if (rows == 0 || current_current == 0 || drop_drop == 0) return;
-    const double resistance = drop_current / current_current;
-    const double explained = drop_current * drop_current / current_current / drop_drop;
-    const double part = std::sqrt(drop_drop / rows) / cases[0].joint.actuator.supply_voltage;
-    if (resistance <= 0 || explained < policy::supply_follows || part < policy::supply_matters) return;
-    result.findings.push_back({"supply-sag", "supply-sag.resistance", resistance, 0, Quantity::resistance, explained});
-    for (auto& c : cases) {
+    if (line.explained() < policy::supply_follows || line.resistance() <= 0) return;
+    const double resistance = line.resistance();
+    result.findings.push_back(
+        {"supply-sag", "supply-sag.resistance", resistance, 0, Quantity::resistance, line.explained()});
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        auto& c = cases[i];
         c.joint.actuator.supply_resistance += resistance;
-        c.ticks.supply.assign(c.ticks.size(), c.joint.actuator.supply_voltage);
+        c.ticks.supply.assign(c.ticks.size(), line.open_voltage(i));
     }
 }
 

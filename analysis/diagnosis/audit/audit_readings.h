@@ -11,8 +11,8 @@ namespace stickslip::gap {
 void audit_grid(std::vector<Case>& cases, Audit& result);
 
 /// A logged supply that falls with the motor's current: the source has a resistance. The record's own supply then gives
-/// way to the documented one and the resistance, so that the joint after the audit explains what the joint before does
-/// not.
+/// way to the one without current and the resistance, so that the joint after the audit explains what the joint before
+/// does not. A source that is off by the same voltage all the time has none.
 void audit_supply(std::vector<Case>& cases, Audit& result);
 
 /// The step in which commands are given, as a part of their rms; the largest of all records.

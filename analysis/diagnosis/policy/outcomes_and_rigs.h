@@ -33,7 +33,7 @@ inline constexpr double wrong_rows = 0.02;
 /// `wrong_rows`. It bounds the cost of a row.
 inline constexpr double worst_amplitude = 3;
 /// Kinds of friction that explain a table alike from which on none of them is named. Reason: a choice among so many is
-/// no answer. Evidence: none yet; chosen. In the tests of tables no answer has more than one kind.
+/// no answer. Definition: "insufficient data" of a table; an answer names one kind, or one of two.
 inline constexpr double too_many_kinds = 3;
 /// numerical: rows of a rig's record that are held out together, every third block in turn. Reason: whoever measures
 /// writes more rows where more happens, so that every third has its part of a transient.
@@ -59,7 +59,8 @@ inline constexpr double quiet_rig = 1.06;
 /// catalogue; it scales every probability of a rig and decides no name.
 inline constexpr double any_law_of_rig = 0.95;
 /// Difference of the probabilities of stick-slip by two laws from which on a row is proposed as the next to measure.
-/// Reason: less is no experiment. Evidence: none yet; chosen. It decides whether a proposal is made, and no name.
+/// Reason: less is no experiment. Definition: a row "worth measuring"; it decides whether a proposal is made, and no
+/// name.
 inline constexpr double least_apart = 0.3;
 /// Held-out log-likelihood behind the likeliest law beyond which the motion of a law is not simulated. Reason:
 /// amplitudes cost `worst_amplitude` a row at most, and so much is not made up for. Evidence: of 18 values in the tests

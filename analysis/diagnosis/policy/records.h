@@ -54,12 +54,12 @@ inline constexpr double noise_of_step = 1.02;
 /// blocks of rows; both need some. Definition: "insufficient data" of a record.
 inline constexpr double fewest_rows = 100;
 /// Multiple of an estimated noise of the effort that counts as its noise. Reason: an estimate that is a little low
-/// would make a gap of plain noise. Evidence: none yet; chosen. Estimates of white noise agree to a hundredth or two
-/// (`noise_not_white`).
+/// would make a gap of plain noise. Evidence: of 2000 simulated records of white noise 2.7 % have a lower estimate at
+/// 5000 rows and a fifth at 1000, of 400 none at 20,000.
 inline constexpr double doubted_estimate = 1.03;
 /// Part of the effort's RMS that counts as noise of its own. Reason: a lag or a delay is written down in slightly
-/// different ways. Evidence: none yet; chosen. It is added to the square of the noise: it matters where a measured
-/// effort has less noise than a thousandth.
+/// different ways. Evidence: the measured efforts of three records of one drive have noise of 0.019 to 0.27 of their
+/// RMS; it matters for simulated efforts, which have less.
 inline constexpr double model_noise_of_effort = 1e-3;
 /// Part of a row by which the median step of a log may differ from a multiple of the loop's period for its stamps to be
 /// moved to an even clock. Reason: a log of another rate has no such clock. Evidence: of 371 values in 138 other cases

@@ -35,10 +35,6 @@ inline constexpr double better_than_cause = 0.25;
 /// searched for longer. Reason: long searches cost most of the time of an answer, and what explains less is not the
 /// cause. Evidence: of four values in three other cases none lies between 0.031 and 0.61.
 inline constexpr double worth_a_long_search = 0.5;
-/// Multiple of the least objective of these searches up to which a cause is searched at the slower observers, too.
-/// Reason: what is further behind is not named. Evidence: none yet; chosen. In two other cases with such a cause it is
-/// alone, compared with itself.
-inline constexpr double near_the_best = 1.15;
 /// Part of its objective below which an observer takes over the parameters that another one found. Reason: a search may
 /// have ended in a hollow that the others found the way out of; parameters of another horizon that are hardly better
 /// are not. Evidence: in 50 cases of two other simulators, of 1946 values none is below 0.88.

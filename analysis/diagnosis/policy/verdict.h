@@ -25,15 +25,11 @@ inline constexpr double doubt_of_accepted = 0.015;
 /// noise: then the ladder tells. Reason: stick-slip amplifies the differences of two integrators. Evidence: in other
 /// cases, of 26 values none lies between 0.943 and 0.977.
 inline constexpr double explained_single = 0.97;
-/// Part of the misfit beyond the noise above which backlash or a spring alone leaves hardly any. Reason: simulated
-/// contact differs slightly from real backlash, and a partner makes up for it. Evidence: none yet; chosen. In other
-/// cases one value was compared with it, 0.9935; in 71 further ones none.
-inline constexpr double explained_by_backlash = 0.99;
 /// Difference of score by which a pair must be better than its best single where the single explains to within noise.
 /// Reason: a second effect has to earn its place. Evidence: the one pair of other cases that was compared with it, two
 /// causes that are there, is better by 3.06.
 inline constexpr double worth_a_partner = 0.06;
-/// The same where backlash or a spring alone leaves hardly any. Reason: a second effect has to earn its place, the more
+/// The same where that single is backlash or a spring. Reason: a second effect has to earn its place, the more
 /// so where the contact leaves a remainder in any case. Evidence: of two values in other cases, a needless partner of
 /// backlash and a pair that is there, none lies between 0.0018 and 3.06.
 inline constexpr double worth_a_doubted_partner = 0.15;
@@ -52,8 +48,8 @@ inline constexpr double mostly_explained = 0.9;
 /// 115 other cases the nearest are 2.93 and 3.001), so that no gap supports it.
 inline constexpr double hopeless = 3;
 /// Periods of a wave that a record must contain. Reason: a shorter piece is a bend that other shapes describe as well.
-/// Evidence: none yet; chosen. In none of 71 other cases was a wave one of two free shapes. It guards against a bend
-/// that is called a wave.
+/// Definition: a "wave" of a free shape, in place of a bend. In none of 71 other cases was a wave one of two free
+/// shapes.
 inline constexpr double turned_back = 2.0 / 3;
 /// Multiple of the usual size of a parameter that is implausible. Reason: a document is wrong by a part of what it
 /// states; ten times as much is something else. Evidence: in 50 cases of two other simulators, of 1953 values none is

@@ -209,9 +209,6 @@ void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size
         if (there.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = std::move(there);
     };
     context.parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
-    double least = infinity;
-    for (auto* a : some) judge(*a, context.nominal), least = std::min(least, a->evaluation[0].objective);
-    std::erase_if(some, [&](const auto* a) { return a->evaluation[0].objective > policy::near_the_best * least; });
     context.parallel(some.size(), [&](std::size_t i) {
         Attribution& a = *some[i];
         for (std::size_t l = 1; l < levels.size(); ++l) search(a, l, a.x[l - 1], short_search, narrow);

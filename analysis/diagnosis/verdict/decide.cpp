@@ -54,9 +54,9 @@ Decision decide(const std::vector<Attribution>& singles, const std::vector<Attri
         from = &singles;
     } else if (best_pair && best_pair->accepted) {
         // a second effect must earn its place: else the ladder tells what the first alone leaves
-        const bool all_but = best_single && two_mass_edit(best_single->candidate) &&
-                             best_single->explained > policy::explained_by_backlash;
-        const auto worth = all_but ? policy::worth_a_doubted_partner : policy::worth_a_partner;
+        // simulated contact differs slightly from real backlash, and a partner makes up for it
+        const bool doubted = best_single && two_mass_edit(best_single->candidate);
+        const auto worth = doubted ? policy::worth_a_doubted_partner : policy::worth_a_partner;
         const bool alone = best_single && best_single->explained > policy::explained_single &&
                            best_single->score < best_pair->score + worth;
         if (!alone) d.winner = best_pair, from = &pairs;

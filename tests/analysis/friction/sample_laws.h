@@ -12,21 +12,14 @@ struct Sample {
     FrictionLaw law;
 };
 
-inline NumberList list(std::initializer_list<double> values)
-{
-    NumberList numbers;
-    for (double v : values) numbers.push_back(v);
-    return numbers;
-}
-
 template <class Law>
-Law rate_and_state(std::initializer_list<double> B = {1.5}, std::initializer_list<double> L = {1e-5}, double f0 = 60)
+Law rate_and_state(const NumberList& B = {1.5}, const NumberList& L = {1e-5}, double f0 = 60)
 {
     Law law;
     law.f0 = f0;
     law.A = 1;
-    law.B = list(B);
-    law.L = list(L);
+    law.B = B;
+    law.L = L;
     law.V_star = 1e-3;
     return law;
 }

@@ -123,7 +123,7 @@ TEST_CASE("memory that undoes the direct effect leaves no slope", "[stability]")
 {
     Joint joint = samples::single_mass(1);
     joint.friction.law = samples::rate_and_state<RateAndState>({0.1, 0.2, 0.7});  // A = 1
-    std::get<RateAndState>(joint.friction.law).L = samples::list({1e-5, 3e-5, 7e-6});
+    std::get<RateAndState>(joint.friction.law).L = {1e-5, 3e-5, 7e-6};
     for (const double V0 : {1e-6, 1e-3, 0.3}) {
         joint.control.V0 = V0;
         const auto simple = linear_verdict(joint).velocity_only;

@@ -7,7 +7,8 @@ circle), that the headers of heavy libraries stay behind ours, that a header whi
 from there only, that a folder includes only what another one lists as a door (house_doors.py), that programs outside
 see public headers only, that a file of more than 250 lines and a function of more than 60 say why, that thresholds of
 the diagnosis stand in its policy, that the diagnosis refuses with codes and not with sentences, that tests mirror the
-rooms, that no two types of one namespace have one name, and that comments name no file or document that is not there.
+rooms, that no two types of one namespace have one name, that comments name no file or document that is not there, and
+that licences and versions are stated (house_public.py).
 """
 import re
 import sys
@@ -17,6 +18,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 import house_doors  # beside this file
 import house_policy
+import house_public
 import house_sizes
 
 GIVEN = [given for given in sys.argv[1:] if not given.startswith("--")]
@@ -317,6 +319,7 @@ def main():
     wrong += house_doors.complaints(SOURCE, list(files()), includes_of)
     wrong += public_complaints()
     wrong += house_sizes.complaints(SOURCE, files())
+    wrong += house_public.complaints(SOURCE)
     wrong += name_complaints()
     wrong += comment_complaints()
     wrong += mirror_complaints()

@@ -16,6 +16,13 @@ def body(lines, name="walk"):
     return f"void {name}()\n{{\n" + "    step();\n" * (lines - 2) + "}\n"
 
 
+RIGHTS = """version = 1
+[[annotations]]
+path = "**"
+SPDX-FileCopyrightText = "us"
+SPDX-License-Identifier = "MIT"
+"""
+
 # A name, the files that make the fault, and what the house says of it: nothing where it is none.
 CASES = [
     ("nothing wrong", {}, None),
@@ -110,6 +117,13 @@ CASES = [
     ("an entry of a list without evidence", {POLICY: 'inline constexpr std::array ranges{\n    Range{"play", "width", 0, 1, "so"},\n};\n'},
      "verdict.h:2: play.width is a threshold with neither evidence"),
     ("a page that reads the policy", {"sweep/words/text.cpp": '#include "analysis/diagnosis/policy/verdict.h"\n'}, None),
+    ("licences with their texts", {"REUSE.toml": RIGHTS, "LICENSES/MIT.txt": "MIT\n"}, None),
+    ("a licence without its text", {"REUSE.toml": RIGHTS}, "LICENSES/MIT.txt is not there"),
+    ("the text of a licence that no file has", {"REUSE.toml": RIGHTS, "LICENSES/MIT.txt": "MIT\n", "LICENSES/ISC.txt": "ISC\n"}, "LICENSES/ISC.txt: is the licence of no file"),
+    ("files without a licence", {"REUSE.toml": RIGHTS.replace("**", "analysis/**"), "LICENSES/MIT.txt": "MIT\n"}, "files have no licence"),
+    ("a licence of a file that is gone", {"REUSE.toml": RIGHTS + RIGHTS.split("\n", 1)[1].replace("**", "gone.h"), "LICENSES/MIT.txt": "MIT\n"}, "names gone.h, which"),
+    ("files without a holder", {"REUSE.toml": RIGHTS.replace('"us"', '""'), "LICENSES/MIT.txt": "MIT\n"}, "** has no SPDX-FileCopyrightText"),
+    ("a version that was left behind", {"CITATION.cff": "version: 0.1.0\n", "CHANGELOG.md": "# Changelog\n\n## 0.2.0\n"}, "CITATION.cff has 0.1.0, CHANGELOG.md has 0.2.0"),
     ("words in a refusal of the diagnosis", {"analysis/diagnosis/fit/fit.cpp": 'throw std::runtime_error("no");\n'}, "refuses with words"),
 ]
 

@@ -28,6 +28,7 @@ step "apt-get install --download-only" "apt-get install -y -qq --no-install-reco
 step "apt-get install of what was downloaded" "apt-get install -y -qq --no-install-recommends /tmp/stickslip.deb"
 step "first report" "stickslip sweep -o first && test -s first/report.html"
 step "manual and completions" "test -s /usr/share/man/man1/stickslip.1.gz -o -s /usr/share/man/man1/stickslip.1 || test -e /etc/dpkg/dpkg.cfg.d/docker; ls /usr/share/bash-completion/completions/stickslip"
+step "completion of zsh" "apt-get install -y -qq --no-install-recommends zsh; zsh -c 'autoload -Uz compinit && compinit -u && [[ \$_comps[stickslip] = _stickslip ]]'"
 step "the packages that it recommends to Python users" "apt-get install -y -qq --no-install-recommends python3-numpy python3-pandas python3-xarray python3-netcdf4 python3-matplotlib"
 step "Python user: map, boundary, record, diagnosis, chart" "python3 walk_python.py"
 step "ROS user: the robot's joint from its URDF" "stickslip import arm.urdf --joint shoulder --set control.k_p=400 --set control.k_v=20 \

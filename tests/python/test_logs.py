@@ -104,6 +104,20 @@ def test_damaged_logs_are_refused_in_words(tmp_path, make, name):
             assert "cut-run" in str(error) or "chunks" in str(error)
 
 
+def test_a_damaged_container_is_refused_with_the_place(tmp_path):
+    file = sample.mcap(tmp_path / "run.mcap")
+    data = bytearray(file.read_bytes())
+    data[len(data) // 2] ^= 0xff
+    file.write_bytes(bytes(data))
+    with pytest.raises(StickslipError, match=r"the chunk at byte \d+: its checksum is [0-9a-f]{8}, it says [0-9a-f]{8}"):
+        stickslip.read_log(file, joint="elbow")
+    bag = sample.rosbag(tmp_path / "run.bag")
+    data = bag.read_bytes()
+    bag.write_bytes(data[:len(data) // 2])
+    with pytest.raises(StickslipError, match=r"the record at byte \d+ of the file is cut off: \d+ bytes are said, \d+ are there; `rosbag reindex`"):
+        stickslip.read_log(bag, joint="elbow")
+
+
 def one_joint_files(folder):
     """One joint's arrays in every format of arrays that this Python can write."""
     import xarray
@@ -174,6 +188,18 @@ def test_damaged_folders_of_sage(tmp_path):
     (folder / "state_motor.csv").write_text(text.replace("]", "", 1).replace("STATE_MOTOR,1000,\"[", "STATE_MOTOR,1000,\"[x", 1))
     with pytest.raises(StickslipError, match="state_motor.csv: row 1"):
         stickslip.read_log(folder, joint="elbow")
+    lines = text.splitlines()
+    whole = lines[5].split('"')
+    for cell, said in ((whole[1][:-3], "row 5: positions: got .*, expected a list in brackets"), (whole[1].replace(",", ", x"), "row 5: positions: got .*, expected numbers")):
+        # a list that is cut off within its last number would be another number
+        (folder / "state_motor.csv").write_text("\n".join([*lines[:5], '"'.join([whole[0], cell, *whole[2:]]), *lines[6:]]))
+        with pytest.raises(StickslipError, match=said):
+            stickslip.read_log(folder, joint="elbow")
+    for end, said in ((text[:-7], "torques: got .*, expected a list in brackets"), (text[:text.rindex('"[') - 1], "torques: got nothing"),
+                      (text.replace("velocities", "speeds", 1), "has the columns type, timestamp, positions, speeds, torques, expected .*velocities")):
+        (folder / "state_motor.csv").write_text(end)
+        with pytest.raises(StickslipError, match=said):
+            stickslip.read_log(folder, joint="elbow")
     (folder / "joint_list.txt").write_text("a\nelbow\nc\n")
     (folder / "state_motor.csv").write_text(text)
     with pytest.raises(StickslipError, match="2 values, joint_list.txt has 3"):

@@ -21,20 +21,21 @@ def _text(data: bytes, at: int) -> tuple[str, int]:
     return data[at + 4:at + 4 + length].decode("utf-8"), at + 4 + length
 
 
-def _records(data: bytes, where: str) -> Iterator[tuple[int, bytes]]:
+def _records(data: bytes, within: str, begin: int = 0) -> Iterator[tuple[int, int, bytes]]:
+    """Where each record begins, its kind, its content. `begin`: place of the first byte in what `within` names."""
     at = 0
     while at < len(data):
+        place = f"the record at byte {begin + at} of {within}"
         if at + 9 > len(data):
-            raise ValueError(f"{where} ends in the head of a record")
+            raise ValueError(f"{place} ends in its head")
         kind, length = struct.unpack_from("<BQ", data, at)
-        at += 9
-        if at + length > len(data):
-            raise ValueError(f"{where} ends within a record: {length} bytes are said, {len(data) - at} are there")
-        yield kind, data[at:at + length]
-        at += length
+        if at + 9 + length > len(data):
+            raise ValueError(f"{place} is cut off: {length} bytes are said, {len(data) - at - 9} are there")
+        yield begin + at, kind, data[at + 9:at + 9 + length]
+        at += 9 + length
 
 
-def _unpacked(path: Path, chunk: bytes) -> bytes:
+def _unpacked(path: Path, chunk: bytes, place: str) -> bytes:
     _, _, size, crc = struct.unpack_from("<QQQI", chunk, 0)
     compression, at = _text(chunk, 28)
     length, = struct.unpack_from("<Q", chunk, at)
@@ -54,9 +55,9 @@ def _unpacked(path: Path, chunk: bytes) -> bytes:
     elif compression:
         raise ValueError(f"chunks are packed with {compression!r}")
     if len(data) != size:
-        raise ValueError(f"a chunk has {len(data)} bytes, it says {size}")
+        raise ValueError(f"{place} has {len(data)} bytes, it says {size}")
     if crc and zlib.crc32(data) != crc:
-        raise ValueError("the checksum of a chunk does not fit")
+        raise ValueError(f"{place}: its checksum is {zlib.crc32(data):08x}, it says {crc:08x}")
     return data
 
 
@@ -69,27 +70,29 @@ def messages(path: Path) -> Iterator[Message]:
     schemas: dict[int, str] = {}
     channels: dict[int, tuple[str, str, int]] = {}
 
-    def read(block: bytes, where: str) -> Iterator[Message]:
-        for kind, body in _records(block, where):
+    def read(block: bytes, within: str, begin: int = 0) -> Iterator[Message]:
+        for at, kind, body in _records(block, within, begin):
+            place = f"the record at byte {at} of {within}"
             if kind == SCHEMA:
                 schemas[struct.unpack_from("<H", body)[0]] = _text(body, 2)[0]
             elif kind == CHANNEL:
                 channel, schema = struct.unpack_from("<HH", body)
-                topic, at = _text(body, 4)
-                channels[channel] = (topic, _text(body, at)[0], schema)
+                topic, behind = _text(body, 4)
+                channels[channel] = (topic, _text(body, behind)[0], schema)
             elif kind == MESSAGE:
                 channel, _, logged = struct.unpack_from("<HIQ", body)
                 if channel not in channels:
-                    raise ValueError(f"{where} has a message of channel {channel}, which is not declared")
+                    raise ValueError(f"{place} is a message of channel {channel}, which is not declared")
                 topic, encoding, schema = channels[channel]
                 if encoding == "cdr":
                     yield topic, schemas.get(schema, ""), logged * 1e-9, body[22:]
             elif kind == CHUNK:
-                yield from read(_unpacked(path, body), "a chunk")
+                chunk = f"the chunk at byte {at}"
+                yield from read(_unpacked(path, body, chunk), f"{chunk}, unpacked")
             elif kind == DATA_END:
                 return
 
-    yield from read(data[len(MAGIC):-len(MAGIC)], "the file")
+    yield from read(data[len(MAGIC):-len(MAGIC)], "the file", len(MAGIC))
 
 
 def read(path: Path, joint: str | None = None, topic: str | None = None, command: str | None = None):

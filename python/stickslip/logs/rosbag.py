@@ -25,19 +25,20 @@ def _fields(head: bytes) -> dict[str, bytes]:
     return fields
 
 
-def _records(data: bytes) -> Iterator[tuple[dict[str, bytes], bytes]]:
+def _records(data: bytes, within: str, begin: int = 0) -> Iterator[tuple[int, dict[str, bytes], bytes]]:
+    """Where each record begins, its fields, its data. `begin`: place of the first byte in what `within` names."""
     at = 0
     while at < len(data):
-        parts = []
+        place, parts, first = f"the record at byte {begin + at} of {within}", [], begin + at
         for _ in range(2):
             if at + 4 > len(data):
-                raise ValueError("the bag is cut off within a record; `rosbag reindex` repairs it")
+                raise ValueError(f"{place} is cut off: 4 bytes of a length are said, {len(data) - at} are there; `rosbag reindex` repairs it")
             length, = struct.unpack_from("<I", data, at)
             if at + 4 + length > len(data):
-                raise ValueError("the bag is cut off within a record; `rosbag reindex` repairs it")
+                raise ValueError(f"{place} is cut off: {length} bytes are said, {len(data) - at - 4} are there; `rosbag reindex` repairs it")
             parts.append(data[at + 4:at + 4 + length])
             at += 4 + length
-        yield _fields(parts[0]), parts[1]
+        yield first, _fields(parts[0]), parts[1]
 
 
 def _unpacked(path: Path, fields: dict[str, bytes], data: bytes) -> bytes:
@@ -61,8 +62,8 @@ def messages(path: Path) -> Iterator[Message]:
         raise StickslipError(f"{path}: does not begin as a ROS 1 bag of version 2.0 does")
     connections: dict[bytes, tuple[str, str]] = {}
 
-    def read(block: bytes) -> Iterator[Message]:
-        for fields, body in _records(block):
+    def read(block: bytes, within: str, begin: int = 0) -> Iterator[Message]:
+        for at, fields, body in _records(block, within, begin):
             kind = fields.get("op", b"\0")[0]
             if kind == CONNECTION:
                 connections[fields["conn"]] = (fields["topic"].decode(), _fields(body)["type"].decode())
@@ -71,9 +72,9 @@ def messages(path: Path) -> Iterator[Message]:
                 topic, type_name = connections[fields["conn"]]
                 yield topic, type_name, seconds + 1e-9 * nanoseconds, body
             elif kind == CHUNK:
-                yield from read(_unpacked(path, fields, body))
+                yield from read(_unpacked(path, fields, body), f"the chunk at byte {at}, unpacked")
 
-    yield from read(data[len(MAGIC):])
+    yield from read(data[len(MAGIC):], "the file", len(MAGIC))
 
 
 def read(path: Path, joint: str | None = None, topic: str | None = None, command: str | None = None):

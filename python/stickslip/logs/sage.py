@@ -8,8 +8,17 @@ from ..program import StickslipError
 from .common import frame_of, held, joint_index
 
 
-def _numbers(text: str) -> list[float]:
-    return [float(word) for word in text.strip().strip("[]").replace(",", " ").split()]
+def _numbers(text: str | None) -> list[float]:
+    if not text:
+        raise ValueError("got nothing, expected numbers")
+    inner = text.strip()
+    # without its bracket a list may be cut off within its last number, which then is another number
+    if inner.startswith("[") != inner.endswith("]"):
+        raise ValueError(f"got {text!r}, expected a list in brackets")
+    try:
+        return [float(word) for word in inner.strip("[]").replace(",", " ").split()]
+    except ValueError:
+        raise ValueError(f"got {text!r}, expected numbers") from None
 
 
 def _table(path: Path, wanted: str, keys: tuple[str, ...], count: int):
@@ -18,16 +27,23 @@ def _table(path: Path, wanted: str, keys: tuple[str, ...], count: int):
     times: list[float] = []
     values: dict[str, list[list[float]]] = {key: [] for key in keys}
     with path.open(newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
+        table = csv.DictReader(file)
+        columns = table.fieldnames or []
+        if not {"timestamp", *keys} <= set(columns):
+            raise StickslipError(f"{path}: has the columns {', '.join(columns) or 'none'}, expected timestamp, {', '.join(keys)}")
+        for row in table:
             if row.get("type") and row["type"] != wanted:
                 continue
             line = f"{path}: row {len(times) + 1}"
+            key = "timestamp"
             try:
-                times.append(float(row["timestamp"]))
+                times.append(*_numbers(row[key]))
                 for key in keys:
                     values[key].append(_numbers(row[key]))
-            except (KeyError, TypeError, ValueError, AttributeError):
-                raise StickslipError(f"{line}: got {row}, expected timestamp and lists for {', '.join(keys)}") from None
+            except TypeError:
+                raise StickslipError(f"{line}: timestamp: got {row[key]!r}, expected one number") from None
+            except ValueError as error:
+                raise StickslipError(f"{line}: {key}: {error}") from None
             for key in keys:
                 if len(values[key][-1]) != count:
                     raise StickslipError(f"{line}: {key} has {len(values[key][-1])} values, joint_list.txt has {count} joints")

@@ -196,7 +196,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     Changed changed = fewest_changes(cases, limit);
     const auto all = command_terms(cases, changed.dead_zone, limit);
     const bool exact = changed.fit.misfit < policy::understood;
-    if (plain && !exact) changed = standing_out(all, std::move(changed));
+    if (!exact) changed = standing_out(all, std::move(changed));
     const bool roughly = changed.fit.misfit < policy::rough_command && !changed.terms.empty();
     const bool believed = (exact || roughly) && changed.fit.misfit < policy::much_better * with_gains;
     const bool of_coulomb = std::ranges::count(changed.terms, coulomb_term) > 0;

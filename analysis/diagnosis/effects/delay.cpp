@@ -25,6 +25,15 @@ Effect delay()
         f.parameters[0].jumps = false;
         f.apply = [](Joint& j, const double* p) { j.sensor.delay += p[0]; };
         e.forms.push_back(f);
+        // on a bus, behind a filter: a dead time that is smeared
+        f = e.forms[0];
+        f.name = "with-lag";
+        f.parameters.push_back({"lag", Quantity::number, Scale::one, true, 0.02, 1.2, 0.3,
+                                "time constant of the actuator, in dead times"});
+        f.apply = [](Joint& j, const double* p) { j.control.delay += p[0], j.actuator.lag += p[0] * p[1]; };
+        f.seeds = {{2.5, 0.4}, {8.5, 0.4}};
+        f.parts = {{"delay", ""}};
+        e.forms.push_back(f);
     }
     return e;
 }

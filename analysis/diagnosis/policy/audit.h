@@ -75,8 +75,9 @@ inline constexpr double rough_command = 0.05;
 /// Multiple of that misfit by which a gain must be off, or a term that the file lacks change the command, to be a
 /// finding where the controller is reproduced only roughly. Reason: what is not reproduced may be a part of the gain.
 /// Evidence: in two joints a feed-forward of the acceleration is 71 and 99 times what all changes leave, and those of
-/// gains and rates that follow its jumps are 2.6 to 3.3 times that; of nine further values in other cases and in tests
-/// none lies between 3.9 and 104.
+/// gains and rates that follow its jumps are 2.6 to 3.3 times that; behind filters of two poles velocity gains that are
+/// right seem off by 2.9 and 4.3 times it; of nine further values in other cases and in tests none lies between 3.9 and
+/// 104.
 inline constexpr double rough_multiple = 5;
 /// Least relative error of a gain that is a finding there. Reason: as `rough_multiple`. Evidence: in the tests of the
 /// audit gains of efforts that drive are off by 0.0001 or 0.5.

@@ -141,7 +141,8 @@ inline constexpr double findings_of_another_joint = 3;
 
 /// Smallest readings (a step of the encoder, or its noise) up to which a slip length is not resolved. Reason: a memory
 /// fades over a few slip lengths, and what fades between a few readings is a steady curve to them. Evidence: of three
-/// curves without memory that other simulators made it was 1.0, 1.2 and 8; of four memories 126 to 400.
-inline constexpr double resolved_slip = 30;
+/// curves without memory that other simulators made it was 1.0, 1.2 and 8; of five memories 20 (an ageing law whose
+/// numbers were right to 2 %) and 126 to 400.
+inline constexpr double resolved_slip = 12;
 
 }  // namespace stickslip::gap::policy

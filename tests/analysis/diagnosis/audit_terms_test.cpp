@@ -25,6 +25,29 @@ TEST_CASE("a feed-forward of an acceleration that the log shows only roughly is 
     CHECK(d.effects[0].parameters[0].value == Approx(1.2).epsilon(0.03));
 }
 
+TEST_CASE("a filter of two poles is no gain of a controller with an integral", "[gap]")
+{
+    // the same readings under a controller whose velocity goes through two filters, as a log would have them
+    Record r = test::record_of({}, 1, 4);
+    const double tick = r.time[1] - r.time[0], share = tick / (5e-3 + tick);
+    double once = 0, twice = 0, sum = 0;
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        const double error = r.reference_position[k] - r.position[k];
+        const double rise = k == 0 ? 0 : (r.position[k] - r.position[k - 1]) / tick;
+        once += share * (rise - once), twice += share * (once - twice);
+        sum += tick * error;
+        r.effort_command[k] = 1200 * error + 45 * (r.reference_velocity[k] - twice) + 3000 * sum;
+    }
+    Joint joint = test::nominal_joint();
+    joint.control.k_i = 3000;
+    std::vector<Note> notes;
+    std::vector<gap::Case> cases{gap::prepare(r, joint, notes)};
+    const auto audit = gap::audit(cases);
+    REQUIRE(audit.findings.size() == 1);
+    CHECK(audit.findings[0].effect == "velocity-filter");
+    CHECK(!audit.command_explained);
+}
+
 TEST_CASE("the limit of an integral is that of its own gain, not of the documented one", "[gap][slow]")
 {
     Machine m;

@@ -49,3 +49,21 @@ TEST_CASE("a peak that hardly falls over the speeds of the records is a Coulomb 
     const auto ladder = search.search->of(peak);
     CHECK(names_of(ladder.last().causes) == std::vector<std::string>{"coulomb-level"});
 }
+
+TEST_CASE("a lag of two poles is no lag with a dead time beside it, and a dead time that is smeared none with a lag",
+          "[gap][ladder]")
+{
+    const auto named = [](const Machine& m) {
+        const Search search(m, {"actuator-lag:with-dead-time", "delay:with-lag", "actuator-lag", "delay", "viscous"});
+        return names_of(search.search->climb({}, policy::ladder.most_rungs).last().causes);
+    };
+    Machine m;
+    m.lag = 6e-3, m.second_lag = 3e-3;
+    CHECK(named(m) == std::vector<std::string>{"actuator-lag"});
+    m.second_lag = 1e-3, m.lag = 1e-3, m.late = 6e-3;
+    CHECK(named(m) == std::vector<std::string>{"delay"});
+    m.lag = 0;
+    CHECK(named(m) == std::vector<std::string>{"delay"});
+    m.late = 0, m.lag = 6e-3, m.second_lag = 0;
+    CHECK(named(m) == std::vector<std::string>{"actuator-lag"});
+}

@@ -41,10 +41,12 @@ struct Machine {
     double waves = 200;           ///< rad/m, of both
     double second = 0;            ///< second harmonic of the cogging, as a part of the first
     double one_way = 0;           ///< part of the viscous slope that changes its sign with the direction
-    double hung = 0;              ///< kg of the inertia that hang on a spring behind the encoder
-    double hung_stiffness = 1;    ///< N/m
-    double hung_damping = 0;      ///< N·s/m
-    double hung_stretch = 1e9;    ///< m, at which that spring is twice as stiff, with the square of the stretch
+    double lag = 0, second_lag = 0;  ///< s, of the actuator's two poles
+    double late = 0;                 ///< s by which the command arrives late, of whole ticks
+    double hung = 0;                 ///< kg of the inertia that hang on a spring behind the encoder
+    double hung_stiffness = 1;       ///< N/m
+    double hung_damping = 0;         ///< N·s/m
+    double hung_stretch = 1e9;       ///< m, at which that spring is twice as stiff, with the square of the stretch
 };
 
 inline Joint nominal_joint()
@@ -77,13 +79,17 @@ inline Joint nominal_arm()
 struct MachineState {
     double q = 0, v = 0;
     double hung_at = 0, hung_speed = 0, followed = 0;
+    double lagged = 0, twice_lagged = 0;
 };
 
 /// A step of h under the command u, from time t on.
 inline void step(const Machine& m, MachineState& s, double u, double t, double h)
 {
     constexpr double band = 1e-6;
-    auto& [q, v, hung_at, hung_speed, followed] = s;
+    auto& [q, v, hung_at, hung_speed, followed, lagged, twice_lagged] = s;
+    lagged += h / (m.lag + h) * (u - lagged);
+    twice_lagged += h / (m.second_lag + h) * (lagged - twice_lagged);
+    if (m.lag > 0) u = twice_lagged;
     if (m.bellows_creeps)
         followed += h * std::abs(v) * (q - followed) / m.bellows_play;
     else
@@ -149,7 +155,9 @@ inline Record record_of(const Machine& m, unsigned seed, double seconds = 6)
         r.effort_command.push_back(u);
         if (m.effort_noise > 0)
             r.effort_measured.push_back(std::clamp(m.gain * u, -m.limit, m.limit) + m.effort_noise * normal(random));
-        for (int i = 0; i < 100; ++i) step(m, now, u, t + i * h, h);
+        const auto before = static_cast<std::size_t>(std::lround(m.late / period));
+        const double arrives = before > r.rows() - 1 ? 0.0 : r.effort_command[r.rows() - 1 - before];
+        for (int i = 0; i < 100; ++i) step(m, now, arrives, t + i * h, h);
     }
     return r;
 }

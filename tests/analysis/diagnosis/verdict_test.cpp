@@ -62,10 +62,9 @@ TEST_CASE("a pair that leaves nothing wins over a single that leaves little if i
     CHECK_FALSE(named("frictional-memory", little, score_alone - policy::worth_a_partner + slightly));
     CHECK(named("frictional-memory", little - 2 * slightly, score_alone - policy::worth_a_partner + slightly));
     // real backlash leaves a rest by itself, of which a partner makes something
-    const double hardly_any = policy::explained_by_backlash + slightly;
-    CHECK(named("backlash", hardly_any - 2 * slightly, score_alone - policy::worth_a_partner - slightly));
-    CHECK_FALSE(named("backlash", hardly_any, score_alone - policy::worth_a_partner - slightly));
-    CHECK(named("backlash", hardly_any, score_alone - policy::worth_a_doubted_partner - slightly));
+    CHECK_FALSE(named("backlash", little, score_alone - policy::worth_a_partner - slightly));
+    CHECK(named("backlash", little, score_alone - policy::worth_a_doubted_partner - slightly));
+    CHECK(named("backlash", little - 2 * slightly, score_alone - policy::worth_a_partner + slightly));
 }
 
 TEST_CASE("probabilities fall with the misfit, with a needless parameter and with what is left", "[gap]")

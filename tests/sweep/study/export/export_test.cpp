@@ -111,7 +111,7 @@ TEST_CASE("export: friction is read at the velocity at which the joint slides, a
 {
     Joint joint = starting_joint(Model::single_mass, "rate-and-state", Motion::prismatic);
     auto& law = std::get<RateAndState>(joint.friction.law);
-    law.f0 = 60, law.A = 1, law.B = {{1.5}, 1}, law.V_star = 2e-3;
+    law.f0 = 60, law.A = 1, law.B = {1.5}, law.V_star = 2e-3;
     const auto level = [](double V) { return 60 - 0.5 * std::log(V / 2e-3); };
     joint.control.V0 = 0.05;
     joint.sensor.position_scale = 5;  // it slides at V_0/5

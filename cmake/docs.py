@@ -49,8 +49,8 @@ METHOD = """# Thresholds of the diagnosis
 `tests/evidence`. A definition has no evidence and needs none: it says what a word of the answer means, and another number would give the word
 another meaning.
 
-Of {all} numbers {evidence} have evidence of their own, {definition} are definitions and {numerical} numerical. {none} have no evidence yet: no case on
-the other side of them has been seen, or too few. These are chosen: {without}.
+Of {all} numbers {evidence} have evidence of their own, {definition} are definitions and {numerical} numerical. Evidence is missing for {none}: no case on
+the other side has been seen, or too few. Chosen so far: {without}.
 """
 LIMITS_HEAD = """
 ## Limits of work

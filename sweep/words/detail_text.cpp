@@ -17,8 +17,9 @@ std::string detail_text(Detail detail)
         case Detail::backlash:
             return "backlash in a transmission leaves no steady sliding to disturb";
         case Detail::place_or_time:
-            return "a force or friction that changes with position or time does not repeat, or so slowly that the "
-                   "motion cannot be followed until it does; simulate shows the motion";
+            return "a dither, or a force or friction that changes with position or time, can neither be followed until "
+                   "it "
+                   "repeats nor be held at places of its own; simulate shows the motion";
         case Detail::chatters:
             return "the push towards the set point jumps by more than the friction of steady sliding: the joint "
                    "chatters about its reference";

@@ -208,9 +208,9 @@ void polish_best(const Fit& context, std::vector<Attribution>& ranked, std::size
         auto there = evaluate(context.cases, a.candidate, in_si(a.candidate, fit.x, context.scales), levels[l]);
         if (there.objective < a.evaluation[l].objective) a.x[l] = fit.x, a.evaluation[l] = std::move(there);
     };
-    context.parallel(some.size(), [&](std::size_t i) { search(*some[i], 0, some[i]->x[0], long_search, wide); });
     context.parallel(some.size(), [&](std::size_t i) {
         Attribution& a = *some[i];
+        search(a, 0, a.x[0], long_search, wide);
         for (std::size_t l = 1; l < levels.size(); ++l) search(a, l, a.x[l - 1], short_search, narrow);
         judge(a, context.nominal);
     });

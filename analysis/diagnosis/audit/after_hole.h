@@ -23,7 +23,9 @@ class AfterHole {
     /// tick.
     bool holds(std::size_t k)
     {
-        if (matters_ && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;
+        const bool of_a_row =
+            k % static_cast<std::size_t>(ticks_.ticks_per_row) == 0;  // others of a slow log have none
+        if (matters_ && of_a_row && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;
         return ticks_.time[k] <= until_;
     }
 

@@ -6,6 +6,7 @@
 #include "analysis/diagnosis/audit/audit_reference.h"
 #include "analysis/diagnosis/audit/audit_terms.h"
 #include "analysis/diagnosis/audit/gain_regression.h"
+#include "analysis/diagnosis/audit/slow_log.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/audit.h"
 
@@ -176,15 +177,22 @@ Audit audit(std::vector<Case>& cases)
         audit_without_reference(cases, limit, result);
         return result;
     }
+    if (is_slow_log(cases)) {
+        if (std::ranges::none_of(cases, [](const Case& c) { return c.ticks.has_velocity; })) {
+            audit_slow_log(cases, limit, result);
+            return result;
+        }
+        audit_slow_filter(cases, limit, result);
+    }
     if (!can_be_audited(cases)) return result;
     result.possible = true;
     align_log(cases, limit, result);
     if (audit_terms(cases, limit, result)) return result;
-    auto answers = gains_of(cases, documented.velocity_estimate.tau, limit);
+    const double filter = cases[0].joint.control.velocity_estimate.tau;
+    auto answers = gains_of(cases, filter, limit);
     if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result))
-        answers = gains_of(cases, documented.velocity_estimate.tau, limit);
-    const double tau =
-        documented.k_v != 0 ? find_filter_time(cases, limit, answers, result) : documented.velocity_estimate.tau;
+        answers = gains_of(cases, filter, limit);
+    const double tau = documented.k_v != 0 ? find_filter_time(cases, limit, answers, result) : filter;
     result.residual_after = mean_misfit(answers);
     const auto flagged = flagged_by(cases, result);
     if (!flagged) return result;

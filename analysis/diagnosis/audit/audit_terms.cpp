@@ -2,6 +2,7 @@
 
 #include "analysis/diagnosis/audit/audit_numbers.h"
 #include "analysis/diagnosis/audit/command_terms.h"
+#include "analysis/diagnosis/audit/term_findings.h"
 #include "analysis/diagnosis/audit/term_sets.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/audit.h"
@@ -14,14 +15,6 @@ namespace stickslip::gap {
 namespace {
 
 constexpr std::size_t most_changes = 3;  // numerical: of a search
-double largest_error(const std::vector<Case>& cases)
-{
-    double largest = 0;
-    for (const auto& c : cases)
-        for (std::size_t k = 0; k < c.ticks.size(); ++k)
-            largest = std::max(largest, std::abs(c.ticks.reference[k] - c.ticks.position[k]));
-    return largest;
-}
 
 /// The fewest changes that leave no more than the most.
 Changed fewest_changes(const std::vector<Case>& cases, double limit)
@@ -52,69 +45,6 @@ bool of_plain_gains(const Changed& changed)
     return changed.dead_zone == 0;
 }
 
-void correct(Control& c, int term, double value, bool factor)
-{
-    auto& f = c.feed_forward;
-    const double by = 1 + value;
-    switch (term) {
-        case k_p_term:
-            stated_position_gain(c) *= by;
-            break;
-        case k_v_term:
-            stated_velocity_gain(c) = factor ? stated_velocity_gain(c) * by : value;
-            break;
-        case k_i_term:
-            if (!factor)
-                (c.structure == Structure::cascade ? c.velocity_integral_gain : c.k_i) = value;
-            else if (c.structure == Structure::pid)
-                c.k_i *= by;
-            else if (is_set(c.velocity_reset_time))
-                c.velocity_reset_time /= by;
-            else
-                c.velocity_integral_gain *= by;
-            break;
-        case coulomb_term:
-            f.coulomb += value;
-            break;
-        case acceleration_term:
-            f.acceleration += value;
-            break;
-        case velocity_term:
-            f.velocity += value;
-            break;
-        default:
-            break;
-    }
-}
-
-AuditFinding finding_of(int term, const TermFit& fit, bool factor, const Control& corrected, double gain)
-{
-    const auto i = static_cast<std::size_t>(term);
-    const double value = fit.value[i], error = fit.error[i];
-    const auto gain_of = [&](const char* effect, Quantity quantity) {
-        const std::string name = effect;
-        return factor ? AuditFinding{name, name + ".factor", 1 + value, error, Quantity::number, gain}
-                      : AuditFinding{name, name + ".value", value, error, quantity, gain};
-    };
-    const auto& f = corrected.feed_forward;
-    switch (term) {
-        case k_p_term:
-            return gain_of("gain-k_p", Quantity::position_gain);
-        case k_v_term:
-            return gain_of("gain-k_v", Quantity::velocity_gain);
-        case k_i_term:
-            return gain_of("gain-k_i", corrected.structure == Structure::cascade ? Quantity::position_gain
-                                                                                 : Quantity::integral_gain);
-        case coulomb_term:
-            return {"feed-forward", "feed-forward.coulomb", f.coulomb, error, Quantity::command, gain};
-        case acceleration_term:
-            return {"feed-forward", "feed-forward.acceleration", f.acceleration,
-                    error,          Quantity::acceleration_gain, gain};
-        default:
-            return {"feed-forward", "feed-forward.velocity", f.velocity, error, Quantity::number, gain};
-    }
-}
-
 /// How much of the present sample the controller's integral does not count, where that is what a gain is off by: the
 /// file's counts all of it (backward Euler), forward Euler none, the trapezoidal rule half.
 std::optional<double> uncounted_sample(int term, double change, const Control& c)
@@ -131,27 +61,12 @@ std::optional<double> uncounted_sample(int term, double change, const Control& c
     return {};
 }
 
-/// The rms of an added term over that of the command.
-double part_of_command(const CommandTerms& all, int term, double value)
-{
-    double square = 0;
-    for (const auto& row : all.rows) square += std::pow(value * row.change[static_cast<std::size_t>(term)], 2);
-    return std::sqrt(square / all.square);
-}
-
-/// How much a term changes: a gain by a factor, the command by what is added to it.
-double size_of(const CommandTerms& all, const Changed& changed, int term)
-{
-    const auto i = static_cast<std::size_t>(term);
-    return all.factor[i] ? std::abs(changed.fit.value[i]) : part_of_command(all, term, changed.fit.value[i]);
-}
-
 /// Of changes that do not reproduce the command to digits, those that stand out of what is left: an acceleration is the
 /// reference's before a tick or after it, and jumps, and small changes of the gains follow that as far as they can.
 Changed standing_out(const CommandTerms& all, Changed changed)
 {
     const auto least = policy::rough_multiple * changed.fit.misfit;
-    std::erase_if(changed.terms, [&](int term) { return size_of(all, changed, term) < least; });
+    std::erase_if(changed.terms, [&](int term) { return size_of(all, changed.fit, term) < least; });
     changed.fit = fit_terms(all, changed.terms);
     return changed;
 }
@@ -166,14 +81,6 @@ void scale_found_limit(std::vector<Case>& cases, double documented, double by, A
     const bool same = std::abs(found->value - documented) < policy::flagged_gain * documented;
     for (auto& c : cases) c.joint.control.integral_limit = same ? documented : found->value;
     if (same) result.findings.erase(found);
-}
-
-/// Where logged velocities stand in for the controller's own, its filter acts in lost rows alone.
-bool shows_filter(const std::vector<Case>& cases)
-{
-    const Control& c = cases[0].joint.control;
-    return gains_of(c).k_v != 0 && c.velocity_estimate.form != EstimateForm::exact &&
-           std::ranges::none_of(cases, [](const Case& k) { return k.ticks.unseen_between() && k.ticks.has_velocity; });
 }
 
 }  // namespace
@@ -213,7 +120,7 @@ bool audit_terms(std::vector<Case>& cases, double limit, Audit& result)
     for (const int term : changed.terms) {
         const auto i = static_cast<std::size_t>(term);
         const bool factor = all.factor[i];
-        if (size_of(all, changed, term) < policy::flagged_gain) continue;
+        if (size_of(all, changed.fit, term) < policy::flagged_gain) continue;
         const auto uncounted =
             factor ? uncounted_sample(term, changed.fit.value[i], cases[0].joint.control) : std::nullopt;
         for (auto& c : cases) correct(c.joint.control, term, changed.fit.value[i], factor);

@@ -111,6 +111,40 @@ CommandTerms command_terms(const std::vector<Case>& cases, double dead_zone, dou
     return terms;
 }
 
+CommandTerms averaged(const CommandTerms& terms, std::size_t rows)
+{
+    CommandTerms means = terms;
+    means.rows.clear();
+    means.square /= static_cast<double>(rows);  // what moves slowly is all in the means
+    const double part = 1 / static_cast<double>(rows);
+    for (std::size_t from = 0; from + rows <= terms.rows.size();) {
+        const std::size_t record = terms.rows[from].record;
+        if (terms.rows[from + rows - 1].record != record) {
+            ++from;
+            continue;
+        }
+        CommandTerms::Row mean;
+        mean.record = record;
+        for (std::size_t k = from; k < from + rows; ++k) {
+            mean.left += part * terms.rows[k].left;
+            for (std::size_t i = 0; i < mean.change.size(); ++i) mean.change[i] += part * terms.rows[k].change[i];
+        }
+        means.rows.push_back(mean);
+        from += rows;
+    }
+    return means;
+}
+
+CommandTerms of_record(const CommandTerms& terms, std::size_t record)
+{
+    CommandTerms own = terms;
+    std::erase_if(own.rows, [&](const auto& row) { return row.record != record; });
+    for (auto& row : own.rows) row.record = 0;
+    if (!terms.rows.empty())
+        own.square *= static_cast<double>(own.rows.size()) / static_cast<double>(terms.rows.size());
+    return own;
+}
+
 TermFit fit_terms(const CommandTerms& terms, const std::vector<int>& chosen)
 {
     const bool open = terms.integrates || std::find(chosen.begin(), chosen.end(), k_i_term) != chosen.end();

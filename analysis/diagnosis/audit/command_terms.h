@@ -28,6 +28,13 @@ struct CommandTerms {
 /// With this dead zone in place of the documented one.
 CommandTerms command_terms(const std::vector<Case>& cases, double dead_zone, double limit);
 
+/// Means of so many successive rows of a record. A sum of rows is as linear in the terms as a row is, and what was not
+/// logged between rows averages out of it.
+CommandTerms averaged(const CommandTerms& terms, std::size_t rows);
+
+/// The rows of one record.
+CommandTerms of_record(const CommandTerms& terms, std::size_t record);
+
 struct TermFit {
     std::array<double, linear_terms> value{}, error{};
     double misfit = infinity;  ///< rms of what is left over that of the command

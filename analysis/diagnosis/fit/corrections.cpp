@@ -185,8 +185,8 @@ bool Corrections::same_number(const Effect& effect, const EffectForm& form) cons
 
 bool Corrections::is_usual(const Candidate& causes, const Eigen::VectorXd& x, const Effect& cause) const
 {
-    constexpr std::array<std::string_view, 4> small_terms{"cogging", "position-dependent-friction",
-                                                          "asymmetric-friction", "friction-drift"};
+    constexpr std::array<std::string_view, 5> small_terms{"cogging", "position-dependent-friction",
+                                                          "asymmetric-friction", "friction-drift", "stribeck"};
     if (std::ranges::count(small_terms, cause.name) == 0) return false;
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < causes.effects.size(); ++i)

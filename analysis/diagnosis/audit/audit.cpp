@@ -182,7 +182,7 @@ Audit audit(std::vector<Case>& cases)
             audit_slow_log(cases, limit, result);
             return result;
         }
-        audit_slow_filter(cases, limit, result);
+        if (!result.filter_seen) audit_slow_filter(cases, limit, result);
     }
     if (!can_be_audited(cases)) return result;
     result.possible = true;

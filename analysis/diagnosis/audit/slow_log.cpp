@@ -179,8 +179,7 @@ bool is_slow_log(const std::vector<Case>& cases)
 {
     return std::ranges::all_of(cases, [](const Case& c) {
         return c.ticks.source == CommandSource::logged && c.ticks.has_reference && c.ticks.ticks_per_row > 1 &&
-               c.ticks.unseen_between() && is_set(c.joint.control.period) &&
-               c.joint.control.kind == ControlKind::position;
+               is_set(c.joint.control.period) && c.joint.control.kind == ControlKind::position;
     });
 }
 
@@ -202,13 +201,16 @@ void audit_slow_filter(std::vector<Case>& cases, double limit, Audit& result)
 {
     auto unbelieved = cases;
     for (auto& c : unbelieved) {
+        if (c.ticks.rebuilt) interpolate_halves(c.ticks);
         c.ticks.has_velocity = false;
         std::ranges::fill(c.ticks.velocity, not_set);
     }
     const SlowLog log(unbelieved, limit);
     if (log.terms().rows.empty() || !apply(unbelieved, log, log.filter(), result)) return;
-    for (std::size_t i = 0; i < cases.size(); ++i)
+    for (std::size_t i = 0; i < cases.size(); ++i) {
         cases[i].joint.control.velocity_estimate = unbelieved[i].joint.control.velocity_estimate;
+        if (cases[i].ticks.rebuilt) interpolate_halves(cases[i].ticks);  // by a filter that was not there
+    }
 }
 
 }  // namespace stickslip::gap

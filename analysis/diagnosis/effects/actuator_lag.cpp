@@ -25,6 +25,7 @@ Effect actuator_lag()
         f.apply = [](Joint& j, const double* p) { j.actuator.lag = p[0], j.control.delay += p[0] * p[1]; };
         f.seeds = {{2, 0.4}, {8, 0.4}};
         f.parts = {{"actuator-lag", ""}};
+        f.mixed_with = "delay";
         e.forms.push_back(f);
     }
     return e;

@@ -33,6 +33,7 @@ Effect delay()
         f.apply = [](Joint& j, const double* p) { j.control.delay += p[0], j.actuator.lag += p[0] * p[1]; };
         f.seeds = {{2.5, 0.4}, {8.5, 0.4}};
         f.parts = {{"delay", ""}};
+        f.mixed_with = "actuator-lag";
         e.forms.push_back(f);
     }
     return e;

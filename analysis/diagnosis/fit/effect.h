@@ -110,6 +110,8 @@ struct EffectForm {
     /// Effects whose motion is the very same as one that this form makes with fewer parameters, and that joints do
     /// have: friction whose level alone differs by direction, a base that is tilted.
     std::vector<std::string_view> same_motion{};
+    /// Effect of which its last parameter, a logarithm, adds a part: so many times the size of the effect itself.
+    std::string_view mixed_with{};
     bool own_number = false;       ///< of another number than the effect's first form, as that of the other body
     bool divides = false;          ///< makes two masses of a joint documented as one: ten times as slow as the others
     bool encoder_on_link = false;  ///< moves the encoder of a joint documented as one mass behind its transmission

@@ -89,6 +89,12 @@ inline constexpr double least_of_unstated = 0.25;
 /// most. Evidence: a cause at 0.985 was called indistinguishable from one with less than a thousandth, because one
 /// number came from the likelihood of all rows and the other from scores that are cut off at the noise.
 inline constexpr double odds_of_indistinguishable = 0.368;  // 1/e
+/// Part of a cause's size from which on another effect that its form mixes in is a rival with as much of the odds: a
+/// lag in dead times, a dead time in time constants. Reason: an actuator of several poles is late by a dead time and a
+/// lag that stand in for it together, and neither name is surer than its share. Evidence: a current loop of second
+/// order was a dead time with a lag of 0.67 of it (`delay` at 0.96); two equal poles are a lag with a dead time of 0.37
+/// of it, and a delay that is smeared over a bus has no lag.
+inline constexpr double as_much_the_other = 0.5;
 /// Probability that a finding of the controller's audit is wrong. Reason: it follows from command, reading and
 /// reference alone, without a model of the mechanism, and has to exceed what the audited controller leaves of the
 /// command; only another term of the same controller can imitate it. Evidence: the four findings with this probability

@@ -47,6 +47,23 @@ bool holds_a_number_back(const FittedSet& set)
     return false;
 }
 
+/// How much of a rival a form of the rung's causes is made of, in parts of the cause in whose place the rival stands.
+double made_of(const FittedSet& rung, const FittedSet& rival)
+{
+    const auto has = [&](const FittedSet& set, std::string_view name) {
+        return std::ranges::any_of(set.causes.effects, [&](const Effect* e) { return e->name == name; });
+    };
+    const Eigen::VectorXd x = rung.of_causes(rung.fit.x);
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < rung.causes.effects.size(); ++i) {
+        at += static_cast<Eigen::Index>(rung.causes.count_of(*rung.causes.forms[i]));
+        const auto other = rung.causes.forms[i]->mixed_with;
+        if (!other.empty() && has(rival, other) && !has(rival, rung.causes.effects[i]->name))
+            return std::exp(x[at - 1]);
+    }
+    return 0;
+}
+
 }  // namespace
 
 std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
@@ -74,6 +91,8 @@ std::vector<double> odds_of_rivals(const JudgedLadder& j, std::size_t i)
             all.push_back(odds(mean_log(named.all_left()), mean_log(rival.named().all_left()), margin));
         else
             all.push_back(odds(named.misfit, misfit, margin));
+        if (const double part = made_of(rung, rival); part >= policy::as_much_the_other)
+            all.back() = std::max(all.back(), std::min(1.0, part));
     }
     return all;
 }

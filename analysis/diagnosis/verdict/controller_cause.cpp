@@ -21,9 +21,12 @@ void put_controller_in_order(Cause controller, const JudgedLadder& j, Diagnosis&
     const bool good_part =
         beside > 0 && (beside >= least * d.ladder[0].share || (j.noise_left && only_stated_numbers(j.ladder)));
     if (good_part && j.noise_left) return;
-    if (good_part && d.effects[0].probability > policy::finding_and_more) {
+    // whichever of the others acts beside it, it is not alone
+    if (good_part && sum > policy::finding_and_more) {
         controller.probability = std::max(0.0, 1 - sum);
-        d.effects.insert(d.effects.begin() + 1, std::move(controller));
+        const auto less = std::find_if(d.effects.begin() + 1, d.effects.end(),
+                                       [&](const Cause& c) { return c.probability <= controller.probability; });
+        d.effects.insert(less, std::move(controller));
         return;
     }
     // numbers of the document are no cause beside it: it is alone where they are all that is off

@@ -222,6 +222,47 @@ TEST_CASE("corrections alone are held against free forces, which have to take as
     CHECK(answers(force(0.7, 1.05)));
 }
 
+TEST_CASE("a dead time that is as much a lag may be either, with the odds of their sizes", "[gap][ladder]")
+{
+    for (const double lag : {0.3, 0.7}) {  // in dead times
+        CAPTURE(lag);
+        JudgedLadder j;
+        FittedSet late = rung({"delay"}, 0.1, 1);
+        const auto& forms = late.causes.effects[0]->forms;
+        late.causes.forms[0] = &*std::ranges::find(forms, "with-lag", &EffectForm::name);
+        late.fit.x = Eigen::Vector2d(2, std::log(lag));
+        const double far = 50 * margin_of(late, policy::ladder);
+        j.ladder.rungs.push_back(late);
+        j.ladder.rivals.emplace_back();
+        for (const char* name : {"actuator-lag", "compliance"})
+            j.ladder.rivals[0].push_back(rung({name}, 0.1 + far, 1));
+        const auto odds = odds_of_rivals(j, 0);
+        CHECK(odds[0] == Approx(lag < policy::as_much_the_other ? 0 : lag).margin(1e-12));
+        CHECK(odds[1] < 1e-12);
+    }
+}
+
+TEST_CASE("a slight peak, and a drift that a record sees little of, are what every machine has", "[gap][ladder]")
+{
+    std::vector<Note> notes;
+    const std::vector<Case> cases{prepare(test::record_of({}, 1, 3), test::nominal_joint(), notes)};
+    const Scales scales = scales_of(cases);
+    const Corrections corrections(cases, scales, policy::ladder.prior);
+    const double level = test::Machine().coulomb / unit_of(Scale::friction_effort, scales);
+    const auto usual = [&](const char* name, double part, double other) {
+        const Candidate c = rung({name}, 0, 1).causes;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.parameter_count()));
+        x[0] = part * level, x[1] = std::log(other);
+        return corrections.is_usual(c, x, *c.effects[0]);
+    };
+    CHECK(usual("stribeck", 0.015, 0.1));
+    CHECK_FALSE(usual("stribeck", 0.2, 0.1));
+    CHECK_FALSE(usual("presliding", 0.015, 0.1));
+    CHECK(usual("friction-drift", 0.02, 0.5));
+    CHECK_FALSE(usual("friction-drift", 0.2, 0.5));  // time constants in records
+    CHECK(usual("friction-drift", 0.2, 8));
+}
+
 TEST_CASE("a small term that takes little is not what the gap comes from, any other cause stays", "[gap][ladder]")
 {
     auto j = ladder_of_one({}, 3, false);
@@ -320,4 +361,23 @@ TEST_CASE("a documented number that would go back to its bound is told apart fro
     CHECK_FALSE(held_at(widest, {"load-dependent-friction", "stribeck"}));
     ladder.rungs.clear();
     CHECK_FALSE(frees_held_number(ladder));
+}
+
+TEST_CASE("a controller beside which one of two causes acts is not alone", "[gap][ladder]")
+{
+    Diagnosis d;
+    d.ladder.resize(2), d.ladder[0].share = 0.7, d.ladder[1].share = 0.2;
+    d.effects.resize(2);
+    d.effects[0].names = {"gain-k_i", "constant-load"}, d.effects[1].names = {"gain-k_i", "asymmetric-friction"};
+    d.effects[0].probability = d.effects[1].probability = 0.48;
+    Cause controller;
+    controller.names = {"gain-k_i"};
+    JudgedLadder j;
+    j.shares.base = 1, j.shares.rungs = {0.01};
+    put_controller_in_order(controller, j, d);
+    REQUIRE(d.effects.size() == 3);
+    CHECK(d.effects[0].names.size() == 2);
+    CHECK(d.effects[0].probability == 0.48);
+    CHECK(d.effects[2].names.size() == 1);
+    CHECK(d.effects[2].probability == Approx(0.04));
 }

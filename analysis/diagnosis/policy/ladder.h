@@ -52,9 +52,8 @@ inline constexpr std::array physical_ranges{
     PhysicalRange{"sensor-offset", "scale", 0.8, 1.25, Per::scale,
                   "lines and gear teeth are counted: a scale is wrong by a slipping wheel or a unit, not by a half"},
     /// Evidence: a drag with the square of the speed was a viscous slope and a Stribeck peak in the place of a Coulomb
-    /// level of 0.2 % of its document, and another one of 16 %; wrong documents in other cases are wrong by a factor of
-    /// three at most.
-    PhysicalRange{"coulomb-level", "change", -0.75, 1e9, Per::coulomb,
+    /// level of 0.2 % of its document; wrong documents in other cases are wrong by a factor of three at most.
+    PhysicalRange{"coulomb-level", "change", -0.95, 1e9, Per::coulomb,
                   "what slides dry keeps a level: one that vanishes is another curve's, a peak or a slope"},
     /// Evidence: three sources of other cases have 0.25, 0.43 and 0.46 of the winding.
     PhysicalRange{"supply-sag", "resistance", 0, 3, Per::winding,

@@ -24,7 +24,7 @@ void put_controller_in_order(Cause controller, const JudgedLadder& j, Diagnosis&
     // whichever of the others acts beside it, it is not alone
     if (good_part && sum > policy::finding_and_more) {
         controller.probability = std::max(0.0, 1 - sum);
-        const auto less = std::find_if(d.effects.begin() + 1, d.effects.end(),
+        const auto less = std::find_if(d.effects.begin(), d.effects.end(),
                                        [&](const Cause& c) { return c.probability <= controller.probability; });
         d.effects.insert(less, std::move(controller));
         return;

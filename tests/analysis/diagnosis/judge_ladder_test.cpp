@@ -380,4 +380,10 @@ TEST_CASE("a controller beside which one of two causes acts is not alone", "[gap
     CHECK(d.effects[0].probability == 0.48);
     CHECK(d.effects[2].names.size() == 1);
     CHECK(d.effects[2].probability == Approx(0.04));
+    // unless that is likelier than any one of them
+    d.effects.pop_back();
+    d.effects[0].probability = d.effects[1].probability = 0.3;
+    put_controller_in_order(controller, j, d);
+    CHECK(d.effects[0].names.size() == 1);
+    CHECK(d.effects[0].probability == Approx(0.4));
 }

@@ -173,6 +173,21 @@ bool apply(std::vector<Case>& cases, const SlowLog& log, const Found& change, Au
     return apply_terms(cases, log, change, result);
 }
 
+/// What is looked at of long records. Every tick of it is gone through a few hundred times.
+std::vector<Case> first_part(const std::vector<Case>& cases)
+{
+    constexpr std::size_t most = 300000;  // numerical: ticks of all records
+    auto part = cases;
+    for (auto& c : part)
+        if (const std::size_t own = most / cases.size(); c.ticks.size() > own) c.ticks = first_ticks(c.ticks, own);
+    return part;
+}
+
+void take_controllers(const std::vector<Case>& from, std::vector<Case>& to)
+{
+    for (std::size_t i = 0; i < to.size(); ++i) to[i].joint.control = from[i].joint.control;
+}
+
 }  // namespace
 
 bool is_slow_log(const std::vector<Case>& cases)
@@ -185,11 +200,13 @@ bool is_slow_log(const std::vector<Case>& cases)
 
 void audit_slow_log(std::vector<Case>& cases, double limit, Audit& result)
 {
+    auto seen = first_part(cases);
     for (int i = 0; i < most_changes; ++i) {
-        const SlowLog log(cases, limit);
-        if (log.terms().rows.empty() || !apply(cases, log, log.nearest_change(), result)) break;
+        const SlowLog log(seen, limit);
+        if (log.terms().rows.empty() || !apply(seen, log, log.nearest_change(), result)) break;
     }
-    const SlowLog log(cases, limit);
+    take_controllers(seen, cases);
+    const SlowLog log(seen, limit);
     if (log.terms().rows.empty()) return;
     result.residual_after = log.misfit();
     result.possible = result.residual_after < policy::rough_command;
@@ -199,18 +216,17 @@ void audit_slow_log(std::vector<Case>& cases, double limit, Audit& result)
 
 void audit_slow_filter(std::vector<Case>& cases, double limit, Audit& result)
 {
-    auto unbelieved = cases;
-    for (auto& c : unbelieved) {
+    auto seen = first_part(cases);
+    for (auto& c : seen) {
         if (c.ticks.rebuilt) interpolate_halves(c.ticks);
         c.ticks.has_velocity = false;
         std::ranges::fill(c.ticks.velocity, not_set);
     }
-    const SlowLog log(unbelieved, limit);
-    if (log.terms().rows.empty() || !apply(unbelieved, log, log.filter(), result)) return;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        cases[i].joint.control.velocity_estimate = unbelieved[i].joint.control.velocity_estimate;
-        if (cases[i].ticks.rebuilt) interpolate_halves(cases[i].ticks);  // by a filter that was not there
-    }
+    const SlowLog log(seen, limit);
+    if (log.terms().rows.empty() || !apply(seen, log, log.filter(), result)) return;
+    take_controllers(seen, cases);
+    for (auto& c : cases)
+        if (c.ticks.rebuilt) interpolate_halves(c.ticks);  // by a filter that was not there
 }
 
 }  // namespace stickslip::gap

@@ -162,6 +162,25 @@ bool lacks_reference(const std::vector<Case>& cases)
     });
 }
 
+/// Every row that was logged at a tick whose readings are known.
+void audit_rows(std::vector<Case>& cases, const Control& documented, double limit, Audit& result)
+{
+    result.possible = true;
+    align_log(cases, limit, result);
+    if (audit_terms(cases, limit, result)) return;
+    const double filter = cases[0].joint.control.velocity_estimate.tau;
+    auto answers = gains_of(cases, filter, limit);
+    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result))
+        answers = gains_of(cases, filter, limit);
+    const double tau = documented.k_v != 0 ? find_filter_time(cases, limit, answers, result) : filter;
+    result.residual_after = mean_misfit(answers);
+    const auto flagged = flagged_by(cases, result);
+    if (!flagged) return;
+    correct_gains(cases, answers, *flagged, result);
+    for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
+    if (limit < policy::below_limit * documented.effort_limit) find_saturation(cases, limit, result);
+}
+
 }  // namespace
 
 Audit audit(std::vector<Case>& cases)
@@ -185,20 +204,18 @@ Audit audit(std::vector<Case>& cases)
         if (!result.filter_seen) audit_slow_filter(cases, limit, result);
     }
     if (!can_be_audited(cases)) return result;
-    result.possible = true;
-    align_log(cases, limit, result);
-    if (audit_terms(cases, limit, result)) return result;
-    const double filter = cases[0].joint.control.velocity_estimate.tau;
-    auto answers = gains_of(cases, filter, limit);
-    if (documented.k_v == 0 && find_missing_k_v(cases, limit, mean_misfit(answers), result))
-        answers = gains_of(cases, filter, limit);
-    const double tau = documented.k_v != 0 ? find_filter_time(cases, limit, answers, result) : filter;
-    result.residual_after = mean_misfit(answers);
-    const auto flagged = flagged_by(cases, result);
-    if (!flagged) return result;
-    correct_gains(cases, answers, *flagged, result);
-    for (auto& c : cases) c.joint.control.velocity_estimate.tau = tau;
-    if (limit < policy::below_limit * documented.effort_limit) find_saturation(cases, limit, result);
+    audit_rows(cases, documented, limit, result);
+    if (is_slow_log(cases) && result.findings.empty() && !result.command_explained) {
+        // what no row shows for the readings between them
+        const std::size_t notes = result.notes.size();
+        audit_slow_log(cases, limit, result);
+        if (!result.findings.empty()) {
+            const bool contradicted = notes > 0 && (result.notes[notes - 1].code == Note::Code::command_unknown ||
+                                                    result.notes[notes - 1].code == Note::Code::gains_not_judged);
+            if (contradicted) result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes) - 1);
+        }
+        result.possible = true;
+    }
     return result;
 }
 

@@ -109,6 +109,23 @@ TEST_CASE("a slow log tells an integral and a dead zone", "[gap]")
     CHECK(zone.findings[0].value == Approx(4e-4).epsilon(0.25));
 }
 
+TEST_CASE("a slow log with velocities tells an integral that no row by itself shows", "[gap]")
+{
+    Machine m;
+    m.k_i = 3000, m.load = 1, m.noise = 1e-4;
+    Joint joint = test::nominal_joint();
+    joint.control.k_i = 2500;
+    std::vector<Note> notes;
+    std::vector<Case> cases;
+    for (const unsigned seed : {1u, 2u})
+        cases.push_back(prepare(test::every_nth_row(test::record_of(m, seed, 6), 8), joint, notes));
+    REQUIRE(cases[0].ticks.has_velocity);
+    const Audit found = audit(cases);
+    REQUIRE(found.findings.size() == 1);
+    CHECK(found.findings[0].parameter == "gain-k_i.factor");
+    CHECK(found.findings[0].value == Approx(1.2).epsilon(0.02));
+}
+
 TEST_CASE("gains that differ from record to record are not one controller's", "[gap]")
 {
     std::vector<Note> notes;

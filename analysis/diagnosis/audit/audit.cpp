@@ -206,16 +206,14 @@ Audit audit(std::vector<Case>& cases)
     if (!can_be_audited(cases)) return result;
     audit_rows(cases, documented, limit, result);
     if (is_slow_log(cases) && result.findings.empty() && !result.command_explained) {
-        // what no row shows for the readings between them
-        const std::size_t notes = result.notes.size();
-        audit_slow_log(cases, limit, result);
-        if (!result.findings.empty()) {
-            const bool contradicted = notes > 0 && (result.notes[notes - 1].code == Note::Code::command_unknown ||
-                                                    result.notes[notes - 1].code == Note::Code::gains_not_judged);
-            if (contradicted) result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes) - 1);
-        }
+        audit_slow_log(cases, limit, result);  // what no row shows for the readings between them
         result.possible = true;
     }
+    // of the documented controller, where it is not the one that ran
+    if (is_slow_log(cases) && !result.findings.empty())
+        std::erase_if(result.notes, [](const Note& note) {
+            return note.code == Note::Code::command_unknown || note.code == Note::Code::gains_not_judged;
+        });
     return result;
 }
 

@@ -121,14 +121,14 @@ class SlowLog {
 /// Whether one controller ran: what a record says by itself is what all say.
 bool alike_in_records(const CommandTerms& rows, const std::vector<int>& terms, const TermFit& all, std::size_t records)
 {
-    constexpr double alike = 0.5;  // numerical: of the change; what is another controller's is not even its sign
     for (std::size_t r = 0; r < records; ++r) {
         const TermFit own = fit_terms(of_record(rows, r), terms);
         for (const int term : terms) {
             const auto i = static_cast<std::size_t>(term);
             const bool tells =
                 own.misfit < infinity && policy::flagged_gain_errors * own.error[i] < std::abs(all.value[i]);
-            if (tells && std::abs(own.value[i] - all.value[i]) > alike * std::abs(all.value[i])) return false;
+            if (tells && std::abs(own.value[i] - all.value[i]) > policy::alike_in_records * std::abs(all.value[i]))
+                return false;
         }
     }
     return true;

@@ -84,6 +84,9 @@ inline constexpr double rough_multiple = 5;
 /// slow logs of another generator gains that are as documented seem off by at most 0.015 beside a misfit below
 /// `rough_command`, and wrong ones by 0.087 and 0.15.
 inline constexpr double rough_gain = 0.03;
+/// Part of a change of a gain or a term by which a record that tells it by itself may differ from all records together,
+/// in a log slower than its loop. Reason: one controller ran in all records. Evidence: none yet; chosen.
+inline constexpr double alike_in_records = 0.5;
 /// In a log slower than its loop: multiple of the noise that the controller makes of the encoder's, up to which the
 /// logged commands are its own, and its commands from the positions alone drive the simulated joint. Reason: noise of
 /// every fifth command, without that of the four between that cancels it, pushes the joint about. Evidence: 8 s of an

@@ -7,7 +7,7 @@ libvtk9-dev libegl-dev libglew-dev libegl1 libegl-mesa0 libgl1-mesa-dri libcli11
 nlohmann-json3-dev libnetcdf-dev libfmt-dev libxxhash-dev zlib1g-dev libpng-dev libfreetype-dev libpugixml-dev libjs-dygraphs librsvg2-dev fonts-dejavu-core
 file dpkg-dev'  # these two for the .deb
 tests='catch2 python3 python3-xarray python3-netcdf4 python3-pandas python3-pytest python3-matplotlib
-python3-scipy python3-h5py python3-lz4 python3-zstandard mypy python3-selenium python3-jsonschema python3-pil chromium chromium-driver parallel mkdocs'
+python3-scipy python3-h5py python3-lz4 python3-zstandard mypy python3-selenium python3-jsonschema python3-pil chromium chromium-driver parallel mkdocs patchelf'
 # npm for tests/simulators, which run MuJoCo's WebAssembly build: with Debian's 400 small packages of it where there is none
 command -v npm >/dev/null || tests="$tests nodejs npm"
 style='clang-format-14 clang-tidy-14'  # Debian 12 has them, Debian 13 has not: tests that need them are skipped there

@@ -10,6 +10,7 @@
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/drive_force.h"
 #include "analysis/diagnosis/policy/ladder_verdict.h"
+#include "analysis/diagnosis/records/near_clock.h"
 #include "analysis/diagnosis/records/pieces.h"
 #include "analysis/diagnosis/report_findings.h"
 #include "analysis/diagnosis/rig/rig.h"
@@ -79,10 +80,8 @@ Prepared audited(const Joint& joint, std::vector<Record> records, Diagnosis& d)
 {
     Prepared p;
     const EffortDrive drive = drive_by_effort(records, joint, d.notes);
-    for (const Record& r : records) {
-        p.cases.push_back(prepare(r, joint, d.notes));
-        p.cases.back().number = p.cases.size() - 1;
-    }
+    for (std::size_t i = 0; i < records.size(); ++i)
+        p.cases.push_back(prepare(records[i], joint, d.notes)), p.cases.back().number = i;
     find_continuous_loop(p.cases, d.notes);
     share_noise(p.cases, joint.sensor, d.notes);
     for (const auto& c : p.cases) p.documented.push_back(c.joint);
@@ -172,7 +171,7 @@ void find(const Joint& joint, const std::vector<Record>& records, const Parallel
         meter.run(n, task);
     };
     meter.begin(DiagnosisStage::reading);
-    auto usable = usable_pieces(joint, records, d);
+    auto usable = usable_pieces(joint, any_far_clock(records) ? on_near_clocks(records) : records, d);
     if (usable.empty()) return;
     meter.begin(DiagnosisStage::auditing_controller);
     Prepared prepared = audited(joint, std::move(usable), d);

@@ -63,6 +63,7 @@ constexpr std::pair<Code, std::string_view> names[] = {
     {Code::controller_unseen, "controller-unseen"},
     {Code::undocumented_k_v, "undocumented-k-v"},
     {Code::filter_as_exponential, "filter-as-exponential"},
+    {Code::filter_of_two_poles, "filter-of-two-poles"},
     {Code::sample_of_integral, "sample-of-integral"},
     {Code::within_noise, "within-noise"},
     {Code::nothing_would_show, "nothing-would-show"},

@@ -75,6 +75,7 @@ struct Note {
         undocumented_k_v,       ///< the command has a part that is proportional to the velocity
         filter_as_exponential,  ///< values: the filter's time constant that was found, the documented one; the
                                 ///< documented one discretised as 1 - exp(-T/tau) is the same filter
+        filter_of_two_poles,    ///< values: the delay of the velocity filter that ran, s
         sample_of_integral,     ///< names: key of a gain; values: what it is in the file's meaning, part of the present
                                 ///< sample that the controller's integral does not count
         // the verdict

@@ -15,7 +15,7 @@ class AfterHole {
           matters_(ticks.lost && !ticks.has_velocity),
           memory_(forgotten * control.velocity_estimate.tau + (control.velocity_estimate.average + 1) * ticks.step[0])
     {
-        if (!ticks.at_rest && !(ticks.has_velocity && ticks.unseen_between()))
+        if (!ticks.at_rest && !ticks.velocity_believed())
             until_ = ticks.time.front() + std::min(memory_, most_of_record * ticks.duration());
     }
 
@@ -23,9 +23,7 @@ class AfterHole {
     /// tick.
     bool holds(std::size_t k)
     {
-        const bool of_a_row =
-            k % static_cast<std::size_t>(ticks_.ticks_per_row) == 0;  // others of a slow log have none
-        if (matters_ && of_a_row && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;
+        if (matters_ && ticks_.of_a_row(k) && !ticks_.logged[k]) until_ = ticks_.time[k] + memory_;
         return ticks_.time[k] <= until_;
     }
 

@@ -189,9 +189,9 @@ Audit audit(std::vector<Case>& cases)
     if (cases.empty()) return result;
     audit_grid(cases, result);
     audit_supply(cases, result);
-    audit_filter(cases, result);
+    const double limit = std::min(cases[0].joint.control.effort_limit, observed_limit(cases));
+    audit_filter(cases, limit, result);
     const Control documented = cases[0].joint.control;
-    const double limit = std::min(documented.effort_limit, observed_limit(cases));
     if (lacks_reference(cases)) {
         audit_without_reference(cases, limit, result);
         return result;

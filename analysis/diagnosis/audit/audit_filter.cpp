@@ -1,9 +1,12 @@
 #include "analysis/diagnosis/audit/audit_filter.h"
 
+#include "analysis/diagnosis/audit/audit_numbers.h"
 #include "analysis/diagnosis/audit/half_rate_filter.h"
 #include "analysis/diagnosis/audit/regression.h"
+#include "analysis/diagnosis/audit/velocity_recursion.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/audit.h"
+#include "analysis/joint/gains.h"
 #include "analysis/numerics/line_search.h"
 
 #include <algorithm>
@@ -15,34 +18,7 @@ namespace {
 
 constexpr double exact_velocity = 1e-3;  // numerical: misfit over rms of the velocity's steps, as digits are logged
 
-struct Recursion {
-    double gain = 0, misfit = 1;
-};
-
-/// Least squares of v_k − v_{k−1} on d_k − v_{k−1} over all records of every tick, where no row before k was lost.
-Recursion recursion_of(const std::vector<const Case*>& cases)
-{
-    double ab = 0, aa = 0, bb = 0;
-    for (const Case* c : cases) {
-        const Ticks& t = c->ticks;
-        Control unfiltered = c->joint.control;
-        unfiltered.velocity_estimate.tau = 0;
-        Controller controller(unfiltered);
-        const double averaged = std::max(1.0, unfiltered.velocity_estimate.average);
-        double in_a_row = 0;
-        for (std::size_t k = 0; k < t.size(); ++k) {
-            controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], 0);
-            in_a_row = t.logged[k] ? in_a_row + 1 : 0;
-            if (k == 0 || (t.lost && in_a_row <= averaged)) continue;
-            const double a = controller.velocity() - t.velocity[k - 1], b = t.velocity[k] - t.velocity[k - 1];
-            if (std::isfinite(a) && std::isfinite(b)) ab += a * b, aa += a * a, bb += b * b;
-        }
-    }
-    if (aa == 0 || bb == 0) return {};
-    return {ab / aa, std::sqrt(std::max(0.0, 1 - ab * ab / aa / bb))};
-}
-
-bool is_filter(const Recursion& seen)
+bool is_filter(const OnePole& seen)
 {
     return seen.misfit <= exact_velocity && seen.gain > 0 && seen.gain <= 1 + exact_velocity;
 }
@@ -100,6 +76,17 @@ bool velocities_make_the_command(const Case& c)
     return found.used > 0 && found.both && found.misfit < policy::made_of_velocities;
 }
 
+/// Whether the commands are made of the logged velocities, seen beside what the documented filter makes of them: with
+/// the controller's own terms or one change of them, integral included.
+bool velocities_explain_the_command(std::vector<Case> cases, double limit)
+{
+    for (auto& c : cases) c.ticks.own_velocity = true;
+    const double with = left_by_one(cases, limit);
+    for (auto& c : cases) c.ticks.has_velocity = false;
+    const double without = left_by_one(cases, limit);  // infinite where the filter has to be waited for everywhere
+    return with < policy::understood && std::isfinite(without) && with < policy::of_own_velocities * without;
+}
+
 double distance_to_grid(double y, double quantum)
 {
     return std::abs(y / quantum - std::round(y / quantum));
@@ -153,6 +140,26 @@ void correct(std::vector<Case>& cases, double tau, Audit& result)
     }
 }
 
+/// A filter of another shape than the documented one, in velocities that the commands are made of: of one pole it is as
+/// slow as the one with this delay.
+void audit_two_poles(std::vector<Case>& cases, double limit, Audit& result)
+{
+    std::vector<const Case*> all;
+    for (const auto& c : cases) {
+        if (c.ticks.source != CommandSource::logged || !c.ticks.has_reference) return;
+        all.push_back(&c);
+    }
+    const auto seen = two_poles_of(all);
+    if (!(seen.misfit <= exact_velocity && seen.gain > 0 && seen.delay > 0)) return;
+    if (!velocities_explain_the_command(cases, limit)) return;
+    result.filter_seen = true;
+    for (auto& c : cases) c.ticks.own_velocity = true;
+    const double tick = cases[0].ticks.step[0], delay = seen.delay * tick;
+    if (!filters_differently(cases[0].joint.control.velocity_estimate.tau, delay, tick)) return;
+    correct(cases, delay, result);
+    result.notes.push_back({.code = Note::Code::filter_of_two_poles, .values = {delay}});
+}
+
 /// Of logs of every second tick whose readings between the rows were rebuilt.
 void audit_halves(std::vector<Case>& cases, Audit& result)
 {
@@ -190,17 +197,17 @@ void audit_halves(std::vector<Case>& cases, Audit& result)
 
 bool velocities_follow_a_filter(const std::vector<const Case*>& cases)
 {
-    return is_filter(recursion_of(cases));
+    return is_filter(one_pole_of(cases));
 }
 
-void audit_filter(std::vector<Case>& cases, Audit& result)
+void audit_filter(std::vector<Case>& cases, double limit, Audit& result)
 {
     const Control documented = cases[0].joint.control;
     const double tau = documented.velocity_estimate.tau;
     const auto all = [&](auto&& holds) { return std::all_of(cases.begin(), cases.end(), holds); };
     const bool one_controller = all([&](const Case& c) {
         const Control& control = c.joint.control;
-        return control.velocity_estimate.form != EstimateForm::exact && control.k_v != 0 &&
+        return control.velocity_estimate.form != EstimateForm::exact && gains_of(control).k_v != 0 &&
                control.velocity_estimate.tau == tau && control.period == documented.period;
     });
     if (!one_controller ||
@@ -210,6 +217,12 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
     for (const auto& c : cases)
         if (c.ticks.ticks_per_row == 1) at_every_tick.push_back(&c);
     if (!at_every_tick.empty()) {
+        const double tick = at_every_tick[0]->ticks.step[0];
+        const auto seen = one_pole_of(at_every_tick);
+        if (!is_filter(seen)) {
+            if (at_every_tick.size() == cases.size()) audit_two_poles(cases, limit, result);
+            return;
+        }
         // a logged command says it better: the velocities may be anybody's. Where rows are lost its gains are read off
         // with the logged velocities, and so say nothing of their filter but that they are the controller's
         if (!all([](const Case& c) {
@@ -217,9 +230,6 @@ void audit_filter(std::vector<Case>& cases, Audit& result)
                        (c.ticks.unseen_between() && velocities_make_the_command(c));
             }))
             return;
-        const double tick = at_every_tick[0]->ticks.step[0];
-        const auto seen = recursion_of(at_every_tick);
-        if (!is_filter(seen)) return;
         const double found = tick * std::max(0.0, 1 / seen.gain - 1);
         const bool differs = filters_differently(tau, found, tick);
         // plain differences of the readings are what anybody would log

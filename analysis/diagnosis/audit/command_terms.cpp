@@ -1,7 +1,5 @@
 #include "analysis/diagnosis/audit/command_terms.h"
 
-#include <Eigen/Dense>
-
 #include "analysis/diagnosis/audit/after_hole.h"
 #include "analysis/diagnosis/plant/controller.h"
 #include "analysis/diagnosis/policy/audit.h"
@@ -52,6 +50,26 @@ bool kinked(const Ticks& t, std::size_t k, double fastest)
     return std::abs(after - before) > bent * fastest;
 }
 
+/// Numbers the stretches between holes. A hole soon after the last begins none: in few rows nothing shows but what the
+/// integral begins with.
+class Stretches {
+  public:
+    explicit Stretches(std::size_t first) : now_(first) {}
+    void lose_a_row() { lost_ = true; }
+    std::size_t of_next_row()
+    {
+        constexpr int few = 500;  // numerical: rows
+        if (lost_ && rows_ >= few) ++now_, rows_ = 0;
+        lost_ = false, ++rows_;
+        return now_;
+    }
+
+  private:
+    std::size_t now_;
+    int rows_ = 0;
+    bool lost_ = false;
+};
+
 void add_record(CommandTerms& terms, const Case& c, std::size_t record, double dead_zone, double limit)
 {
     const Ticks& t = c.ticks;
@@ -59,13 +77,15 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
     joint.control.dead_zone = dead_zone;
     const Control& control = joint.control;
     Controller controller(joint);
-    const bool believed = t.unseen_between() && t.has_velocity;
+    const bool believed = t.velocity_believed();
     double fastest = 0, own_integral = 0, error_integral = 0;
     for (double rate : t.reference_rate) fastest = std::max(fastest, std::abs(rate));
     auto restart = t.restarts.begin();
     AfterHole hole(t, control);
+    Stretches stretches(terms.rows.empty() ? 0 : terms.rows.back().stretch + 1);
     for (std::size_t k = 0; k < t.size(); ++k) {
         const bool blind = hole.holds(k);
+        if (t.lost && t.of_a_row(k) && !t.logged[k]) stretches.lose_a_row();
         if (restart != t.restarts.end() && restart->tick == k)
             controller.restart(restart->integral), own_integral = error_integral = 0, ++restart;
         const double step = k == 0 ? t.step[0] : t.step[k - 1];
@@ -89,8 +109,8 @@ void add_record(CommandTerms& terms, const Case& c, std::size_t record, double d
             continue;
         // of a kink one tick ago the acceleration is no better known than the rate there
         if (kinked(t, k, fastest) || kinked(t, k - 1, fastest)) continue;
-        terms.rows.push_back(
-            {t.command[k] - controller.wanted(), changes(control, now, controller.integrates()), record});
+        terms.rows.push_back({t.command[k] - controller.wanted(), t.command[k],
+                              changes(control, now, controller.integrates()), record, stretches.of_next_row()});
         terms.square += t.command[k] * t.command[k];
     }
     terms.integrates |= controller.integrates();
@@ -118,15 +138,13 @@ CommandTerms averaged(const CommandTerms& terms, std::size_t rows)
     means.square /= static_cast<double>(rows);  // what moves slowly is all in the means
     const double part = 1 / static_cast<double>(rows);
     for (std::size_t from = 0; from + rows <= terms.rows.size();) {
-        const std::size_t record = terms.rows[from].record;
-        if (terms.rows[from + rows - 1].record != record) {
+        if (terms.rows[from + rows - 1].stretch != terms.rows[from].stretch) {
             ++from;
             continue;
         }
-        CommandTerms::Row mean;
-        mean.record = record;
+        CommandTerms::Row mean{.record = terms.rows[from].record, .stretch = terms.rows[from].stretch};
         for (std::size_t k = from; k < from + rows; ++k) {
-            mean.left += part * terms.rows[k].left;
+            mean.left += part * terms.rows[k].left, mean.command += part * terms.rows[k].command;
             for (std::size_t i = 0; i < mean.change.size(); ++i) mean.change[i] += part * terms.rows[k].change[i];
         }
         means.rows.push_back(mean);
@@ -143,54 +161,6 @@ CommandTerms of_record(const CommandTerms& terms, std::size_t record)
     if (!terms.rows.empty())
         own.square *= static_cast<double>(own.rows.size()) / static_cast<double>(terms.rows.size());
     return own;
-}
-
-TermFit fit_terms(const CommandTerms& terms, const std::vector<int>& chosen)
-{
-    const bool open = terms.integrates || std::find(chosen.begin(), chosen.end(), k_i_term) != chosen.end();
-    std::size_t records = 0;
-    if (open)
-        for (const auto& row : terms.rows) records = std::max(records, row.record + 1);
-    const auto n = static_cast<Eigen::Index>(chosen.size()), all = n + static_cast<Eigen::Index>(records);
-    TermFit fit;
-    if (terms.rows.empty() || !(terms.square > 0)) return fit;
-    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(all, all);
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(all), x = Eigen::VectorXd::Zero(all), column(all);
-    const auto column_of = [&](const CommandTerms::Row& row) {
-        column.setZero();
-        for (Eigen::Index i = 0; i < n; ++i) column[i] = row.change[chosen[static_cast<std::size_t>(i)]];
-        if (open) column[n + static_cast<Eigen::Index>(row.record)] = 1;
-    };
-    for (const auto& row : terms.rows) {
-        column_of(row);
-        G += column * column.transpose();
-        g += row.left * column;
-    }
-    const Eigen::VectorXd unit = G.diagonal().cwiseSqrt();
-    if (all > 0 && !(unit.minCoeff() > 0)) return fit;
-    const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() * G * unit.cwiseInverse().asDiagonal();
-    const Eigen::LDLT<Eigen::MatrixXd> solver(scaled);
-    constexpr double collinear = 1e-10;  // numerical: of the pivots
-    if (all > 0) {
-        if (!(solver.vectorD().minCoeff() > collinear)) return fit;
-        x = solver.solve(g.cwiseQuotient(unit)).cwiseQuotient(unit);
-    }
-    double squares = 0;
-    for (const auto& row : terms.rows) {
-        column_of(row);
-        const double left = row.left - (all > 0 ? column.dot(x) : 0.0);
-        squares += left * left;
-    }
-    fit.misfit = std::sqrt(squares / terms.square);
-    const double variance = squares / static_cast<double>(terms.rows.size());
-    if (all == 0) return fit;
-    const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(all, all));
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const auto term = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
-        fit.value[term] = x[i];
-        fit.error[term] = std::sqrt(variance * inverse(i, i)) / unit[i];
-    }
-    return fit;
 }
 
 }  // namespace stickslip::gap

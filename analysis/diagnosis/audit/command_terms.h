@@ -15,14 +15,15 @@ enum Term { k_p_term, k_v_term, k_i_term, coulomb_term, acceleration_term, veloc
 /// on documented terms, the coefficient itself of others.
 struct CommandTerms {
     struct Row {
-        double left = 0;
+        double left = 0, command = 0;
         std::array<double, linear_terms> change{};
         std::size_t record = 0;
+        std::size_t stretch = 0;  ///< of all records: behind a hole nobody knows what the integral holds
     };
     std::vector<Row> rows;
     double square = 0;  ///< of the command, summed
     std::array<bool, linear_terms> factor{}, possible{};
-    bool integrates = false;  ///< the document does; what the integral began with is open then
+    bool integrates = false;  ///< the document does; what the integral began a stretch with is open then
 };
 
 /// With this dead zone in place of the documented one.

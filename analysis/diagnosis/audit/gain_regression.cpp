@@ -17,7 +17,7 @@ GainRegression regression_of(const Case& c, double tau, double limit)
     control.velocity_estimate.tau = tau;
     Controller controller(control);
     const Ticks& t = c.ticks;
-    const bool believed = t.unseen_between() && t.has_velocity;
+    const bool believed = t.velocity_believed();
     // at a kink or a step of the reference its rate is anybody's guess unless it was logged
     constexpr double bent = 0.02;  // numerical: of the largest rate; which rows are compared
     double fastest = 0;

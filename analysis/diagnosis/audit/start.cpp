@@ -60,6 +60,7 @@ void find_integral(Case& c)
     for (std::size_t k = 0; k < t.size() && beyond.size() < rows; ++k) {
         const double exact = is_set(t.velocity[k]) ? t.velocity[k] : 0;
         controller.read(t.position[k], k == 0 ? t.step[0] : t.step[k - 1], exact);
+        if (t.velocity_believed() && is_set(t.velocity[k])) controller.believe(t.velocity[k]);
         controller.command(t.reference[k], t.reference_rate[k], t.added(k), t.time[k]);
         if (hole.holds(k) || !is_set(t.command[k]) || std::abs(t.command[k]) > limit || !t.enabled[k]) continue;
         beyond.push_back(t.command[k] - controller.wanted());

@@ -92,7 +92,7 @@ bool shows_filter(const std::vector<Case>& cases)
 {
     const Control& c = cases[0].joint.control;
     return gains_of(c).k_v != 0 && c.velocity_estimate.form != EstimateForm::exact &&
-           std::ranges::none_of(cases, [](const Case& k) { return k.ticks.unseen_between() && k.ticks.has_velocity; });
+           std::ranges::none_of(cases, [](const Case& k) { return k.ticks.velocity_believed(); });
 }
 
 double largest_error(const std::vector<Case>& cases)

@@ -36,7 +36,7 @@ Ticks logged_again(const Trace& trace, const Ticks& t, const Joint& joint)
         if (is_set(t.supply[k])) log.supply_voltage.push_back(t.supply[k]);
         log.torque_enable.push_back(t.enabled[k]);
     }
-    log.at_rest_at_start = t.at_rest;
+    log.at_rest_at_start = t.at_rest, log.began = t.began;
     Ticks again = on_clock(log, joint);
     again.feed_forward = t.feed_forward, again.load = t.load, again.inertia = t.inertia;
     again.load_error = t.load_error, again.straight_command = t.straight_command;

@@ -120,7 +120,7 @@ Ladder LadderSearch::climb(const std::vector<Attribution>& pairs, std::size_t mo
     // a larger cause hides small terms: once it is found, they are found, too, and may change what is found with it
     while (set.causes.effects.size() < most_rungs && found_small_terms(set)) {
         look_anew();
-        set = climbed(pairs, most_rungs, only_noise);
+        set = or_before(climbed(pairs, most_rungs, only_noise), set);
     }
     // each search leads further down a jagged misfit, and what is half way down leaves too much beside its last cause
     if (jagged(set.causes) && set.causes.effects.size() > 1) set = settled(std::move(set));

@@ -148,6 +148,9 @@ class LadderSearch {
     /// With numbers of the document in the place of a cause that only imitates them.
     FittedSet with_wrong_numbers(FittedSet set, std::size_t most_rungs) const;
     FittedSet climbed(const std::vector<Attribution>& pairs, std::size_t most_rungs, const OnlyNoise& only_noise);
+    /// What was climbed beside new corrections, or the set that they were found beside where it is nearer with them:
+    /// a search that begins elsewhere may end in a worse place.
+    FittedSet or_before(FittedSet anew, const FittedSet& before);
     void correct(FittedSet& set);
     void find_small_terms(std::vector<Start>& looks);
     bool found_small_terms(const FittedSet& set);

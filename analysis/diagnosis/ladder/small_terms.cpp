@@ -1,6 +1,7 @@
 // The small terms that every machine has and no document: a ripple of the friction, a cogging, a drift. They are looked
 // for in what the nearest cause leaves and in what a whole ladder leaves, and are corrections from then on.
 #include "analysis/diagnosis/ladder/climber.h"
+#include "analysis/diagnosis/ladder/fit_set.h"
 
 #include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"
@@ -136,6 +137,21 @@ bool LadderSearch::found_small_terms(const FittedSet& set)
     data_.raise_floor(set.model.candidate, si);
     add_small_terms(*corrections_, data_, scales_, rules_, set.causes, set.fit.x, parallel_);
     return corrections_->beside(set.causes).numbers > set.model.numbers;
+}
+
+FittedSet LadderSearch::or_before(FittedSet anew, const FittedSet& before)
+{
+    if (anew.causes.effects == before.causes.effects) return anew;
+    const auto again = [&](const Candidate& causes, const Eigen::VectorXd& x) {
+        return climber_->judged({{causes, nullptr, nullptr, {}, 0, x}})[0];
+    };
+    const auto own = before.fit.x.size() - static_cast<Eigen::Index>(before.model.numbers);
+    const auto x = fitter_->start(before.causes, corrected_, before.fit.x.tail(own));
+    lower_floor(corrections_->beside(before.causes), fitter_->refit(before.causes, x).x);
+    const FittedSet kept = settled(again(before.causes, x));
+    // both at the floor of what was kept: at a higher one what it takes would count for less
+    const FittedSet other = anew.causes.effects.empty() ? corrected_ : again(anew.causes, anew.fit.x);
+    return kept.plausible && earns(other, kept, rules_) ? kept : settled(std::move(anew));
 }
 
 std::optional<Ladder> LadderSearch::with_small_term(const Ladder& ladder, const std::vector<Attribution>& pairs,

@@ -29,7 +29,7 @@ class Mechanics {
         l.held = HeldCommand(ticks, command, plant.dead_time, tick);
         if (kind().sensor_delay) l.logged = HeldCommand(ticks, command, plant.dead_time - plant.sensor.delay, tick);
         l.longest = longest_step(plant), l.parts = 0, l.divided = 0, l.goes = true;
-        logged_lagged_.set(lane, 0);
+        logged_lagged_.set(lane, 0), began_.set(lane, ticks.began);
         motor_level_.set(lane, plant.motor.coulomb), link_level_.set(lane, plant.link.coulomb);
         moves_inertia_ = loaded_ = false;
         for (const auto& other : lane_) {
@@ -195,8 +195,8 @@ class Mechanics {
     /// What the record or a drift says of this tick.
     void follow_record(const P& middle)
     {
-        if (kind().motor.drifts) joints_.motor.coulomb = motor_level_ + drifted(joints_.motor, middle);
-        if (kind().link.drifts) joints_.link.coulomb = link_level_ + drifted(joints_.link, middle);
+        if (kind().motor.drifts) joints_.motor.coulomb = motor_level_ + drifted(joints_.motor, middle - began_);
+        if (kind().link.drifts) joints_.link.coulomb = link_level_ + drifted(joints_.link, middle - began_);
         if (!loaded_ && !moves_inertia_) return;
         for (int i = 0; i < lanes; ++i) {
             const Lane& l = lane_[i];
@@ -272,7 +272,7 @@ class Mechanics {
     Joints<P, K> joints_;  ///< with the levels of friction, the load and the inertia of this tick
     State<P> state_;
     Lane lane_[lanes];
-    P logged_lagged_ = 0, motor_level_ = 0, link_level_ = 0, lag_ = 1;
+    P logged_lagged_ = 0, motor_level_ = 0, link_level_ = 0, lag_ = 1, began_ = 0;
     P length_of_ = 0;  ///< s, ticks that `length_` divides
     StepLength<P> length_;
     P parts_ = 1;  ///< of this tick, lane by lane

@@ -93,9 +93,8 @@ void follow_readings(Controller& controller, const Ticks& ticks, Take&& take)
 {
     controller.restart(ticks.initial_integral);
     // readings between the rows of a slow log are interpolated: the logged estimate is then the better velocity
-    const auto logged_velocity = ticks.unseen_between() && ticks.has_velocity && !ticks.noisy_rows
-                                     ? velocity_between_rows(ticks)
-                                     : std::vector<double>();
+    const auto logged_velocity =
+        ticks.velocity_believed() && !ticks.noisy_rows ? velocity_between_rows(ticks) : std::vector<double>();
     auto restart = ticks.restarts.begin();
     for (std::size_t k = 0; k < ticks.size(); ++k) {
         if (restart != ticks.restarts.end() && restart->tick == k) controller.restart(restart->integral), ++restart;

@@ -14,8 +14,9 @@ inline constexpr double least_of_explainable = 0.5;
 inline constexpr double least_of_gap = 0.5;
 /// The same as `least_of_explainable`, for several causes together where the first alone takes less. Reason: two
 /// effects can explain more together than the sum of both alone; causes without a main one have to take nearly all.
-/// Evidence: none yet; chosen. In none of 71 other cases did the first of several rungs take less than
-/// `least_of_explainable`. It guards against answers of many small parts.
+/// Evidence: in three of 162 other cases the first of several rungs takes less than `least_of_explainable`; together
+/// they take 0.83, 0.84 and 0.99, and one of these answers is right, while each of the others has one true cause.
+/// It guards against answers of many small parts.
 inline constexpr double least_of_explainable_together = 0.8;
 /// Part of the gap beyond the corrections that a ladder may leave. If it leaves more and an unmodelled force of the
 /// same signal as the first rung takes more than `taken_by_free_force` of that, the named cause is only the nearest in

@@ -9,8 +9,9 @@ Ticks part_of(const Ticks& whole, std::size_t from, std::size_t to)
     t.source = whole.source, t.ticks_per_row = whole.ticks_per_row;
     t.regular = whole.regular, t.lost = whole.lost, t.rebuilt = whole.rebuilt;
     t.reference_rebuilt = whole.reference_rebuilt, t.straight_command = whole.straight_command;
-    t.noisy_rows = whole.noisy_rows, t.noise_kept = whole.noise_kept;
-    t.has_velocity = whole.has_velocity, t.has_effort = whole.has_effort, t.has_reference = whole.has_reference;
+    t.noisy_rows = whole.noisy_rows, t.noise_kept = whole.noise_kept, t.began = whole.began;
+    t.has_velocity = whole.has_velocity, t.own_velocity = whole.own_velocity, t.has_effort = whole.has_effort,
+    t.has_reference = whole.has_reference;
     if (from == 0) {
         t.at_rest = whole.at_rest, t.initial_velocity = whole.initial_velocity;
         t.initial_velocity_error = whole.initial_velocity_error;

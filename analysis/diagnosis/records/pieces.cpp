@@ -28,6 +28,7 @@ Record part(const Record& whole, std::size_t from, std::size_t to)
                        column->begin() + static_cast<std::ptrdiff_t>(to)};
     r.name = name_of_part(whole.name, whole.time[from]);
     if (from > 0) r.at_rest_at_start.reset();
+    r.began = whole.began.value_or(whole.time[0]);
     return r;
 }
 

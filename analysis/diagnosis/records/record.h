@@ -34,6 +34,7 @@ struct Record {
     std::vector<std::pair<std::string, double>>
         overrides;                         ///< dotted path of the joint → value that held in this record
     std::optional<bool> at_rest_at_start;  ///< not said: the motion of the first rows tells
+    std::optional<double> began;           ///< s, of `time`: what comes with time counts from here; not said: row 0
 
     /// Length of every column that was logged.
     std::size_t rows() const { return time.size(); }

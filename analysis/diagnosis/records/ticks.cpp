@@ -190,6 +190,7 @@ Ticks on_clock(const Record& record, const Joint& joint)
     t.has_velocity = !r.velocity.empty();
     t.has_reference = !r.reference_position.empty();
     t.at_rest = r.at_rest_at_start.value_or(true);
+    if (rows > 0) t.began = r.began.value_or(r.time[0]);
     t.source = source_of(r);
     t.has_effort = !r.effort_measured.empty() && t.source != CommandSource::measured;
     const std::vector<double>& commanded = r.effort_command.empty() ? r.drive : r.effort_command;

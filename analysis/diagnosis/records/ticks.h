@@ -50,7 +50,9 @@ struct Ticks {
     bool straight_command = false;   ///< of a continuous loop: goes straight from row to row, is not held
     bool noisy_rows = false;         ///< commands and velocities of the rows carry noise that is unknown between them
     bool has_velocity = false, has_effort = false, has_reference = false;
+    bool own_velocity = false;  ///< the commands are seen to be made of the logged velocities, of whatever filter
     bool at_rest = true;
+    double began = 0;       ///< s, of `time`, which may be any clock: what comes with time counts from here
     double noise_kept = 0;  ///< part of a reading's noise that stays until the next tick, as behind a filter
     double initial_velocity = 0, initial_velocity_error = 0;  ///< standard error
     double initial_acceleration = 0;                          ///< stretches the spring in front of a link that moves
@@ -59,6 +61,10 @@ struct Ticks {
     double added(std::size_t k) const { return feed_forward.empty() ? 0 : feed_forward[k]; }  ///< to the command
     /// Whether there are ticks whose readings are only interpolated.
     bool unseen_between() const { return (ticks_per_row > 1 && !rebuilt) || lost; }
+    /// Whether the controller is better known to have seen the logged velocities than what its filter would make.
+    bool velocity_believed() const { return has_velocity && (unseen_between() || own_velocity); }
+    /// Others of a slow log have no row.
+    bool of_a_row(std::size_t k) const { return k % static_cast<std::size_t>(ticks_per_row) == 0; }
     std::size_t size() const { return time.size(); }
     std::size_t rows() const { return static_cast<std::size_t>(std::count(logged.begin(), logged.end(), 1)); }
     double duration() const { return time.empty() ? 0 : time.back() - time.front(); }

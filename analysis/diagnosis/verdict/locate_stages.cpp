@@ -27,6 +27,19 @@ double share_of_controller(const std::vector<Share>& signals)
     return found == signals.end() ? 0 : found->share;
 }
 
+namespace {
+
+/// Of the documented filter, whichever one made the logged velocities.
+std::vector<double> documented_command(const Plant& plant, const Ticks& ticks)
+{
+    if (!ticks.own_velocity) return command_of(plant, ticks);
+    Ticks unbelieved = ticks;
+    unbelieved.own_velocity = false;
+    return command_of(plant, unbelieved);
+}
+
+}  // namespace
+
 std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vector<Joint>& documented)
 {
     std::vector<Block> blocks;
@@ -41,7 +54,7 @@ std::vector<Share> locate_signals(const std::vector<Case>& cases, const std::vec
         const Ticks& t = c.ticks;
         for (auto& s : shares) s.unit = unit_of(Quantity::effort, Units(c.joint.mechanism.motion));
         const bool audited = t.source == CommandSource::logged && t.has_reference && !t.unseen_between();
-        const auto wanted = audited ? command_of(plant, t) : std::vector<double>();
+        const auto wanted = audited ? documented_command(plant, t) : std::vector<double>();
         const double per_command = plant.effort_per_command();
         Innovation innovation;
         predict(plant, t, known_command(plant, t), omega, innovation);

@@ -3,9 +3,11 @@
 #include "analysis/diagnosis/audit/prepare.h"
 #include "analysis/diagnosis/diagnose.h"
 #include "tests/analysis/diagnosis/answers.h"
+#include "tests/analysis/diagnosis/record_rows.h"
 #include "tests/analysis/diagnosis/small_machine.h"
 #include "tests/in_order.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace stickslip;
@@ -25,27 +27,92 @@ TEST_CASE("a feed-forward of an acceleration that the log shows only roughly is 
     CHECK(d.effects[0].parameters[0].value == Approx(1.2).epsilon(0.03));
 }
 
-TEST_CASE("a filter of two poles is no gain of a controller with an integral", "[gap]")
+namespace {
+
+constexpr double k_i = 3000;  // N/(m·s)
+
+/// Readings under a controller with an integral whose velocity goes through two filters, as a log would have them.
+Record of_two_filters(double k_p = 1200)
 {
-    // the same readings under a controller whose velocity goes through two filters, as a log would have them
     Record r = test::record_of({}, 1, 4);
     const double tick = r.time[1] - r.time[0], share = tick / (5e-3 + tick);
     double once = 0, twice = 0, sum = 0;
+    r.velocity.clear();
     for (std::size_t k = 0; k < r.rows(); ++k) {
         const double error = r.reference_position[k] - r.position[k];
         const double rise = k == 0 ? 0 : (r.position[k] - r.position[k - 1]) / tick;
         once += share * (rise - once), twice += share * (once - twice);
         sum += tick * error;
-        r.effort_command[k] = 1200 * error + 45 * (r.reference_velocity[k] - twice) + 3000 * sum;
+        r.velocity.push_back(twice);
+        r.effort_command[k] = k_p * error + 45 * (r.reference_velocity[k] - twice) + k_i * sum;
     }
+    return r;
+}
+
+gap::Audit audit_of(const Record& r)
+{
     Joint joint = test::nominal_joint();
-    joint.control.k_i = 3000;
+    joint.control.k_i = k_i;
     std::vector<Note> notes;
     std::vector<gap::Case> cases{gap::prepare(r, joint, notes)};
-    const auto audit = gap::audit(cases);
+    return gap::audit(cases);
+}
+
+Record with_holes(const Record& r)
+{
+    return test::rows_where(r, [](std::size_t k) { return k % 800 < 700 || k % 800 > 717; });
+}
+
+}  // namespace
+
+TEST_CASE("a filter of two poles is no gain of a controller with an integral", "[gap]")
+{
+    Record r = of_two_filters();
+    r.velocity.clear();
+    const auto audit = audit_of(r);
     REQUIRE(audit.findings.size() == 1);
     CHECK(audit.findings[0].effect == "velocity-filter");
     CHECK(!audit.command_explained);
+}
+
+TEST_CASE("velocities that the command is made of tell a filter of two poles and leave nothing of the command", "[gap]")
+{
+    for (const bool holes : {false, true}) {
+        CAPTURE(holes);
+        const Record r = of_two_filters();
+        const auto audit = audit_of(holes ? with_holes(r) : r);
+        REQUIRE(audit.findings.size() == 1);
+        CHECK(audit.findings[0].effect == "velocity-filter");
+        CHECK(audit.findings[0].value == Approx(2 * 5e-3).epsilon(1e-6));  // delays of filters in a row add up
+        CHECK(audit.command_explained);
+        REQUIRE_FALSE(audit.notes.empty());
+        CHECK(audit.notes[0].code == Note::Code::filter_of_two_poles);
+    }
+    // somebody else's velocities
+    Record r = of_two_filters();
+    for (std::size_t k = r.rows() - 1; k > 0; --k) r.velocity[k] = r.velocity[k - 1];
+    for (const auto& note : audit_of(r).notes) CHECK(note.code != Note::Code::filter_of_two_poles);
+}
+
+TEST_CASE("a wrong gain is exact behind holes in which an integral gathered what nobody saw", "[gap]")
+{
+    Record r = of_two_filters(1500);
+    const Record holed = with_holes(r);
+    // a disturbance within each hole, of which only the integral knows
+    double gathered = 0;
+    std::size_t row = 0;
+    Record disturbed = holed;
+    for (std::size_t k = 0; k < holed.rows(); ++k) {
+        const bool behind_hole = k > 0 && holed.time[k] - holed.time[k - 1] > 1.5 * (r.time[1] - r.time[0]);
+        if (behind_hole) gathered += ++row % 2 == 0 ? 0.3 : 0.5;  // N
+        disturbed.effort_command[k] += gathered;
+    }
+    REQUIRE(row > 2);
+    const auto audit = audit_of(disturbed);
+    const auto k_p = std::ranges::find(audit.findings, "gain-k_p", &gap::AuditFinding::effect);
+    REQUIRE(k_p != audit.findings.end());
+    CHECK(k_p->value == Approx(1.25).epsilon(1e-3));
+    CHECK(audit.command_explained);
 }
 
 TEST_CASE("the limit of an integral is that of its own gain, not of the documented one", "[gap][slow]")

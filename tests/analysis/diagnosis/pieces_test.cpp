@@ -64,6 +64,7 @@ TEST_CASE("a hole in time parts a record, and what comes after it starts as it m
     CHECK(notes.at(0).values == std::vector<double>{1, whole.time[1999], 2.5});
     CHECK(parts[0].rows() == 2000);
     CHECK(parts[1].time.front() == 2.5);
+    CHECK(parts[1].began == whole.time[0]);  // it goes on to warm up
     CHECK(parts[1].position.front() == whole.position[2500]);
     CHECK(pieces(whole, notes).size() == 1);
     const double speed = (whole.position[2504] - whole.position[2496]) / 8e-3;

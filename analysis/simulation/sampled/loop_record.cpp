@@ -101,6 +101,7 @@ LoopRecord started(const Joint& joint, const ReferenceMotion& reference, const T
         loop.begin_at_rest(start.position);
     else if (!loop.begin_sliding(start.position, start.velocity))
         return refused(Reason::no_steady_state, Detail::effort_limit);
+    loop.motion.joint.began = reference.time.front();
     loop.set_clock(reference.time.front(), reference.time.front() - joint.sensor.delay);
     return {};
 }

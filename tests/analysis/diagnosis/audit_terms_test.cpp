@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
 
 using namespace stickslip;
 using stickslip::test::in_order;
@@ -31,22 +33,49 @@ namespace {
 
 constexpr double k_i = 3000;  // N/(m·s)
 
-/// Readings under a controller with an integral whose velocity goes through two filters, as a log would have them.
-Record of_two_filters(double k_p = 1200)
+/// A filter of the velocity from tick to tick.
+using VelocityFilter = std::function<double(double)>;
+
+/// Two filters of 5 ms, one behind the other.
+VelocityFilter two_filters(double tick)
+{
+    return [share = tick / (5e-3 + tick), once = 0.0, twice = 0.0](double rise) mutable {
+        once += share * (rise - once), twice += share * (once - twice);
+        return twice;
+    };
+}
+
+/// Butterworth's of second order, by the bilinear transform.
+VelocityFilter butterworth(double tick, double corner)
+{
+    const double w = corner * tick / 2, root = std::sqrt(2.0), all = 1 + root * w + w * w;
+    return [=, x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0](double rise) mutable {
+        const double y = (w * w * (rise + 2 * x1 + x2) - 2 * (w * w - 1) * y1 - (1 - root * w + w * w) * y2) / all;
+        x2 = x1, x1 = rise, y2 = y1, y1 = y;
+        return y;
+    };
+}
+
+/// Readings under a controller with an integral whose velocity goes through this filter, as a log would have them.
+Record of_filter(const std::function<VelocityFilter(double tick)>& filter, double k_p = 1200)
 {
     Record r = test::record_of({}, 1, 4);
-    const double tick = r.time[1] - r.time[0], share = tick / (5e-3 + tick);
-    double once = 0, twice = 0, sum = 0;
+    const double tick = r.time[1] - r.time[0];
+    const auto filtered = filter(tick);
+    double sum = 0;
     r.velocity.clear();
     for (std::size_t k = 0; k < r.rows(); ++k) {
         const double error = r.reference_position[k] - r.position[k];
-        const double rise = k == 0 ? 0 : (r.position[k] - r.position[k - 1]) / tick;
-        once += share * (rise - once), twice += share * (once - twice);
+        r.velocity.push_back(filtered(k == 0 ? 0 : (r.position[k] - r.position[k - 1]) / tick));
         sum += tick * error;
-        r.velocity.push_back(twice);
-        r.effort_command[k] = k_p * error + 45 * (r.reference_velocity[k] - twice) + k_i * sum;
+        r.effort_command[k] = k_p * error + 45 * (r.reference_velocity[k] - r.velocity[k]) + k_i * sum;
     }
     return r;
+}
+
+Record of_two_filters(double k_p = 1200)
+{
+    return of_filter(two_filters, k_p);
 }
 
 gap::Audit audit_of(const Record& r)
@@ -88,10 +117,36 @@ TEST_CASE("velocities that the command is made of tell a filter of two poles and
         REQUIRE_FALSE(audit.notes.empty());
         CHECK(audit.notes[0].code == Note::Code::filter_of_two_poles);
     }
+    const double corner = 300;  // rad/s
+    const auto audit = audit_of(with_holes(of_filter([&](double tick) { return butterworth(tick, corner); })));
+    REQUIRE(audit.findings.size() == 1);
+    CHECK(audit.findings[0].value == Approx(std::sqrt(2.0) / corner).epsilon(1e-6));  // of slow motion
     // somebody else's velocities
     Record r = of_two_filters();
     for (std::size_t k = r.rows() - 1; k > 0; --k) r.velocity[k] = r.velocity[k - 1];
     for (const auto& note : audit_of(r).notes) CHECK(note.code != Note::Code::filter_of_two_poles);
+}
+
+TEST_CASE("velocities of a cascade tell its filter where no command was logged", "[gap]")
+{
+    Record r = test::record_of({}, 1, 4);
+    const double tick = r.time[1] - r.time[0], tau = 8e-3;
+    double filtered = 0;
+    for (std::size_t k = 0; k < r.rows(); ++k) {
+        filtered += tick / (tau + tick) * ((k == 0 ? 0 : (r.position[k] - r.position[k - 1]) / tick) - filtered);
+        r.velocity[k] = filtered;
+    }
+    r.effort_command.clear();
+    Joint joint = test::nominal_joint();
+    joint.control.structure = Structure::cascade;
+    joint.control.k_p = joint.control.k_v = 0;
+    joint.control.position_gain = 25, joint.control.velocity_gain = 45, joint.control.velocity_integral_gain = 900;
+    std::vector<Note> notes;
+    std::vector<gap::Case> cases{gap::prepare(r, joint, notes)};
+    const auto audit = gap::audit(cases);
+    REQUIRE(audit.findings.size() == 1);
+    CHECK(audit.findings[0].effect == "velocity-filter");
+    CHECK(audit.findings[0].value == Approx(tau).epsilon(1e-3));
 }
 
 TEST_CASE("a wrong gain is exact behind holes in which an integral gathered what nobody saw", "[gap]")

@@ -28,7 +28,7 @@ DrivenJoint::Extra DrivenJoint::extra(const double* y, int i) const
         e.by_time += frame_ * e.by_place;
     }
     if (f.drift.change != 0) {
-        const double left = std::exp(-t / f.drift.time_constant);
+        const double left = std::exp(-(t - began) / f.drift.time_constant);
         e.level += f.drift.change * (1 - left);
         e.by_time += f.drift.change * left / f.drift.time_constant;
     }

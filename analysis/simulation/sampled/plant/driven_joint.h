@@ -57,6 +57,7 @@ class DrivenJoint {
     double& clock(double* y) const { return y[clock_index_]; }
     bool has_clock() const { return clock_index_ >= 0; }
     int clock_index() const { return clock_index_; }  ///< −1 without a clock
+    double began = 0;                                 ///< on that clock: what comes with time counts from here
     bool logarithmic(int i) const { return body_[i].logarithmic; }
     int states(int i) const { return body_[i].states; }
     int first_state(int i) const { return body_[i].first_state; }

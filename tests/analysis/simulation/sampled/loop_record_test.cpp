@@ -82,6 +82,22 @@ TEST_CASE("loop record: a set point under static friction is held, not crept awa
     CHECK(record.effort_command.back() == 0);
 }
 
+TEST_CASE("loop record: a drift comes with the time of the record, whatever the reference's clock shows")
+{
+    Joint joint = sampled_joint();
+    joint.friction.drift = {-3, 0.5};
+    auto reference = swing(2, 1e-3);
+    const auto record = record_along(joint, reference, 0);
+    REQUIRE(record.reason == Reason::none);
+    for (double& t : reference.time) t += 64;
+    const auto later = record_along(joint, reference, 0);
+    REQUIRE(later.position.size() == record.position.size());
+    double apart = 0;
+    for (std::size_t k = 0; k < record.position.size(); ++k)
+        apart = std::max(apart, std::abs(later.position[k] - record.position[k]));
+    CHECK(apart < 1e-8);
+}
+
 TEST_CASE("loop record: noise is that of its seed")
 {
     Joint joint = sampled_joint();

@@ -112,9 +112,8 @@ constexpr Sentence sentences[] = {
      "{0:.4g} the "
      "joint file means this filter"},
     {Code::filter_of_two_poles,
-     "the commands are made of the logged velocities, and these come out of a filter of two poles; a filter of one "
-     "pole "
-     "with its delay of {0:.3g} s, which the joint file can say, is near it"},
+     "the commands are made of the logged velocities, and these come out of a filter of another shape; a filter of one "
+     "pole with its delay of {0:.3g} s, which the joint file can say, is near it"},
     {Code::sample_of_integral,
      "the controller's integral counts {share1} of the present sample less than the joint file means (forward Euler "
      "counts none of it, the trapezoidal rule half): nothing is wrong with the machine; with {names} = {0:.6g} the "

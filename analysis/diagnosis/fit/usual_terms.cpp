@@ -9,14 +9,19 @@
 namespace stickslip::gap {
 namespace {
 
-/// What part of a change that comes with time a record sees.
-double part_within_record(const Candidate& causes, const Eigen::VectorXd& x, Eigen::Index at)
+/// What part of a size a record sees: of a change that comes with time, and of a peak that falls with the speed up to
+/// the usual one.
+double part_within_record(const Candidate& causes, const EffectForm& form, const Eigen::VectorXd& x, Eigen::Index at)
 {
-    const std::size_t next = static_cast<std::size_t>(at) + 1;
-    if (causes.parameter(static_cast<std::size_t>(at)).name != "change" || next >= causes.parameter_count() ||
-        causes.parameter(next).scale != Scale::duration)
-        return 1;
-    return 1 - std::exp(-std::exp(-x[at + 1]));
+    const auto parameter = [&](Eigen::Index i) {
+        return static_cast<std::size_t>(i) < causes.parameter_count() ? causes.parameter(static_cast<std::size_t>(i))
+                                                                      : EffectParameter{};
+    };
+    const auto &size = parameter(at), &next = parameter(at + 1);
+    if (size.name == "change" && next.scale == Scale::duration) return 1 - std::exp(-std::exp(-x[at + 1]));
+    if (size.name != "c2" || next.name != "c3") return 1;
+    const double exponent = parameter(at + 2).name == "c4" ? std::exp(x[at + 2]) : form.name == "gaussian" ? 2 : 1;
+    return 1 - std::exp(-std::pow(std::exp(-x[at + 1]), exponent));
 }
 
 }  // namespace
@@ -32,7 +37,8 @@ bool Corrections::is_usual(const Candidate& causes, const Eigen::VectorXd& x, co
             if (causes.effects[i] != &cause) continue;
             const auto& p = causes.parameter(static_cast<std::size_t>(at));
             const double size = std::abs(x[at]);
-            if (p.quantity == Quantity::effort && size * part_within_record(causes, x, at) > usual_effort_)
+            if (p.quantity == Quantity::effort &&
+                size * part_within_record(causes, *causes.forms[i], x, at) > usual_effort_)
                 return false;
             if (p.quantity == Quantity::damping && std::abs(x[at]) > usual_drag_) return false;
         }

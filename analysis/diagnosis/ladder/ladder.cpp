@@ -210,7 +210,7 @@ FittedSet LadderSearch::climbed(const std::vector<Attribution>& pairs, std::size
         }
         if (at_start)
             if (const auto best = earning(); auto numbers = nearer_numbers(best == tried.end() ? nullptr : &*best))
-                tried.insert(tried.begin(), std::move(*numbers));
+                tried.insert(tried.begin(), climber_->with_shared_scale(std::move(*numbers), *corrections_));
         const auto next = earning();
         const auto other = climber_->without_correction(set, tried);
         if (other && (next == tried.end() || other->misfit < next->misfit))

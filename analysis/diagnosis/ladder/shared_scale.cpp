@@ -165,9 +165,13 @@ FittedSet Climber::with_shared_scale(FittedSet set, const Corrections& correctio
 {
     if (std::ranges::count(set.causes.effects, effect_named("effort-gain")) > 0) return set;
     for (const auto& scaled : over_a_scale(set, corrections, Scaled::likelier)) {
-        if (!(scaled.misfit < set.misfit)) continue;
+        // each cause more has to earn its place over the scale, as it has in a ladder
+        const std::size_t more =
+            set.causes.effects.size() - std::min(set.causes.effects.size(), scaled.causes.effects.size());
+        const double most = set.misfit + static_cast<double>(more) * least_gain(set, rules_);
+        if (!(scaled.misfit < most)) continue;
         // along the scale only priors slope, and a first search ends on the way
-        if (auto settled = compared({scaled}); settled.misfit < set.misfit) return settled;
+        if (auto settled = compared({scaled}); settled.misfit < most) return settled;
     }
     return set;
 }

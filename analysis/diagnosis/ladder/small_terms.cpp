@@ -141,7 +141,9 @@ bool LadderSearch::found_small_terms(const FittedSet& set)
 
 FittedSet LadderSearch::or_before(FittedSet anew, const FittedSet& before)
 {
-    if (anew.causes.effects == before.causes.effects) return anew;
+    // numbers of the document are looked for in every climb
+    if (anew.causes.effects == before.causes.effects || fitter_->of_document(before) == before.causes.effects.size())
+        return anew;
     const auto again = [&](const Candidate& causes, const Eigen::VectorXd& x) {
         return climber_->judged({{causes, nullptr, nullptr, {}, 0, x}})[0];
     };

@@ -257,6 +257,8 @@ TEST_CASE("a slight peak, and a drift that a record sees little of, are what eve
     };
     CHECK(usual("stribeck", 0.015, 0.1));
     CHECK_FALSE(usual("stribeck", 0.2, 0.1));
+    CHECK_FALSE(usual("stribeck", 0.1, 0.1));
+    CHECK(usual("stribeck", 0.1, 3));  // usual speeds: a record sees a tenth of such a peak
     CHECK_FALSE(usual("presliding", 0.015, 0.1));
     CHECK(usual("friction-drift", 0.02, 0.5));
     CHECK_FALSE(usual("friction-drift", 0.2, 0.5));  // time constants in records

@@ -55,9 +55,10 @@ TermFit fit_terms(const CommandTerms& terms, const std::vector<int>& chosen)
     const auto n = static_cast<Eigen::Index>(chosen.size());
     TermFit fit;
     if (terms.rows.empty() || !(terms.square > 0)) return fit;
-    const AboutMeans about = open ? with_open_integral(terms) : AboutMeans{terms.rows, terms.square};
-    const auto& rows = about.rows;
-    if (!(about.square > 0)) return fit;
+    const AboutMeans about = open ? with_open_integral(terms) : AboutMeans{};
+    const auto& rows = open ? about.rows : terms.rows;
+    const double square = open ? about.square : terms.square;
+    if (!(square > 0)) return fit;
     Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd g = Eigen::VectorXd::Zero(n), x = Eigen::VectorXd::Zero(n), whole = x, column(n);
     const auto column_of = [&](const CommandTerms::Row& row) {
@@ -86,7 +87,7 @@ TermFit fit_terms(const CommandTerms& terms, const std::vector<int>& chosen)
         const double left = row.left - (n > 0 ? column.dot(x) : 0.0);
         squares += left * left;
     }
-    fit.misfit = std::sqrt(squares / about.square);
+    fit.misfit = std::sqrt(squares / square);
     const double free = static_cast<double>(rows.size()) - static_cast<double>(about.means) - static_cast<double>(n);
     const double variance = squares / std::max(1.0, free);
     if (n == 0) return fit;

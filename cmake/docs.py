@@ -49,8 +49,7 @@ METHOD = """# Thresholds of the diagnosis
 `tests/evidence`. A definition has no evidence and needs none: it says what a word of the answer means, and another number would give the word
 another meaning.
 
-Of {all} numbers {evidence} have evidence of their own, {definition} are definitions and {numerical} numerical. Evidence is missing for {none}: no case on
-the other side has been seen, or too few. Chosen so far: {without}.
+Of {all} numbers {evidence} have evidence of their own, {definition} are definitions and {numerical} numerical. {missing}
 """
 LIMITS_HEAD = """
 ## Limits of work
@@ -193,9 +192,12 @@ def tables_of(header):
 def method():
     headers = house_policy.headers(ROOT)
     counts, without = house_policy.kinds([line for path in headers for line in path.read_text(encoding="utf-8").splitlines()])
+    missing = "Of some the evidence is a few cases: each row tells how many."
+    if without:
+        missing = (f"Evidence is missing for {len(without)}: no case on\nthe other side has been seen, or too few. Chosen so far: "
+                   + ", ".join(f"`{name}`" for name in without) + ".")
     text = MADE + METHOD.format(policy=house_policy.POLICY + "/", all=sum(counts.values()), evidence=counts["evidence"],
-                                none=counts["none yet"], definition=counts["definition"], numerical=counts["numerical"],
-                                without=", ".join(f"`{name}`" for name in without))
+                                definition=counts["definition"], numerical=counts["numerical"], missing=missing)
     text += "".join(map(tables_of, headers))
     limits = declarations((ROOT / LIMITS).read_text(encoding="utf-8"))
     return text + LIMITS_HEAD.format(limits=LIMITS) + table_of(((constants(s), comment) for comment, s in limits), "decides no answer")

@@ -1,7 +1,6 @@
 // The small terms that every machine has and no document: a ripple of the friction, a cogging, a drift. They are looked
 // for in what the nearest cause leaves and in what a whole ladder leaves, and are corrections from then on.
 #include "analysis/diagnosis/ladder/climber.h"
-#include "analysis/diagnosis/ladder/fit_set.h"
 
 #include "analysis/diagnosis/fit/problem.h"
 #include "analysis/diagnosis/fit/seeds.h"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# clang-tidy over the sources that differ from a branch, or over those that are named; --all over every one (an hour).
+# clang-tidy over the sources that differ from a branch, or over those that are named; --all over every one.
 #   tests/tidy.sh [--all | --since BRANCH | FILE.cpp...]      default: --since main
 set -eu
 cd "$(dirname "$0")/.."
@@ -22,4 +22,5 @@ make_header() { # folder, list, settings, header
 }
 make_header sweep numeric_sources settings build_info
 make_header render drawing_sources drawing_settings drawing_build
-echo "$files" | tr ' ' '\n' | xargs -P "$(nproc)" -n 1 clang-tidy-14 --quiet -p "$commands" 2>"$commands/notes"
+# shellcheck disable=SC2086  # a list of names without blanks
+exec python3 tests/tidy_groups.py "$commands" $files

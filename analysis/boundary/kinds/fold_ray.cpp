@@ -16,11 +16,10 @@ constexpr double same_fold = 1e-6;  ///< relative: two seeds that led to one poi
 /// An axis of the joint beside the given one, to be held: folds are solved over two.
 Axis held_axis(const Joint& joint, const Axis& axis)
 {
-    Joint copy = joint;
     Axis held;
     for (const char* path : {"control.k_p", "joint.inertia", "joint.motor_inertia", "joint.link_inertia"}) {
-        const double* number = find_parameter(copy, path);
-        if (!number || number == find_parameter(copy, axis.path) || !(*number > 0)) continue;
+        const double* number = find_parameter(joint, path);
+        if (!number || number == find_parameter(joint, axis.path) || !(*number > 0)) continue;
         held.path = path;
         held.log = true;
         held.values = {*number / 2, *number * 2};

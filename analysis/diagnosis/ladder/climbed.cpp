@@ -55,7 +55,7 @@ Ladder LadderSearch::finished(FittedSet set)
     // floor
     auto& of_last = ladder.rivals.back();
     const double near = ladder.last().misfit + margin_of(ladder.last(), rules_);
-    for (auto& rival : of_last)
+    for (FittedSet& rival : of_last)
         if (rival.misfit > near && move_alike(ladder.last().causes, rival.causes)) rival = climber_->compared({rival});
     std::ranges::stable_sort(of_last, {}, &FittedSet::misfit);
     if (ladder.rungs.size() == 1) add_wrong_numbers(ladder);

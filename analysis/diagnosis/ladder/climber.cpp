@@ -120,10 +120,11 @@ void Climber::hold_out(std::vector<FittedSet>& sets) const
         for (const auto& set : sets)
             if (set.plausible && !set.correction)
                 limit = std::min(limit, set.misfit + policy::out_of_sight * margin_of(set, rules_));
-        const auto far = std::ranges::stable_partition(rest, [&](const auto* set) { return set->misfit <= limit; });
-        const std::vector<FittedSet*> near(rest.begin(), far.begin());
+        const auto far =
+            std::stable_partition(rest.begin(), rest.end(), [&](const auto* set) { return set->misfit <= limit; });
+        const std::vector<FittedSet*> near(rest.begin(), far);
         if (near.empty()) return;
-        rest.erase(rest.begin(), far.begin());
+        rest.erase(rest.begin(), far);
         std::vector<double> costs;
         for (const auto* set : near) costs.push_back(cost_of(set->causes));
         const auto groups = in_groups(costs, sets_at_once);
@@ -156,9 +157,12 @@ std::vector<FittedSet> Climber::judged(const std::vector<Start>& starts)
     auto sets = fitted(starts);
     // a form whose numbers stand at their bounds says with more of them what a simpler one says
     std::vector<Start> others;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-        if (starts[i].effect && !sets[i].plausible)
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        if (sets[i].plausible) continue;
+        if (starts[i].effect)
             for (auto& other : in_other_forms(sets[i], *starts[i].effect)) others.push_back(std::move(other));
+        for (auto& other : in_simpler_forms(sets[i])) others.push_back(std::move(other));
+    }
     for (auto& set : fitted(others)) sets.push_back(std::move(set));
     std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
     pool_.insert(pool_.end(), sets.begin(), sets.end());
@@ -173,6 +177,7 @@ std::vector<Start> Climber::other_forms(const Candidate& below, const Effect& ef
     for (const auto& form : effect.forms) {
         const Candidate alone{{&effect}, {&form}, records};
         if (&form == than || form.own > 0 || divides_mass(alone) || !alone.applies(fitter_.joint())) continue;
+        if (form.effort_alone && !fitter_.logs_effort()) continue;
         starts.push_back({below, &effect, &form});
         starts.back().causes.records = records;
     }

@@ -143,6 +143,8 @@ class Climber {
     std::vector<Start> other_forms(const Candidate& below, const Effect& effect, const EffectForm* than,
                                    std::size_t records) const;
     std::vector<Start> in_other_forms(const FittedSet& set, const Effect& effect) const;
+    /// Without a number that stands at its bound, where a form lacks it.
+    std::vector<Start> in_simpler_forms(const FittedSet& set) const;
     /// Where a set may start with the flexible member of one of its causes: from the shape it has, and, of a wave whose
     /// second harmonic may have been taken for the first, from a wave of twice the length.
     std::vector<Start> with_flexible_member(const FittedSet& set, std::size_t member) const;

@@ -1,8 +1,11 @@
 // How a set that a climb has found is changed: a cause exchanged, a number freed, a family's flexible member tried.
 #include "analysis/diagnosis/ladder/climber.h"
 
+#include "analysis/diagnosis/ladder/plausible.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stickslip::gap {
 
@@ -166,6 +169,50 @@ FittedSet Climber::in_parts(FittedSet set)
         }
     }
     return set;
+}
+
+namespace {
+
+/// Which number of a form another one lacks, which is the same otherwise; none where it lacks more or has others.
+std::optional<std::size_t> lacking(const EffectForm& form, const EffectForm& simpler)
+{
+    const auto &all = form.parameters, &fewer = simpler.parameters;
+    if (fewer.size() + 1 != all.size() || form.own != simpler.own || form.encoder_on_link != simpler.encoder_on_link)
+        return std::nullopt;
+    std::size_t i = 0;
+    while (i < fewer.size() && all[i].name == fewer[i].name) ++i;
+    const bool rest = std::equal(fewer.begin() + static_cast<std::ptrdiff_t>(i), fewer.end(),
+                                 all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(),
+                                 [](const auto& a, const auto& b) { return a.name == b.name; });
+    return rest ? std::optional(i) : std::nullopt;
+}
+
+}  // namespace
+
+/// Where a spring hardens at efforts that it never carries, it is a linear one: a number at its bound may be absent.
+std::vector<Start> Climber::in_simpler_forms(const FittedSet& set) const
+{
+    std::vector<Start> starts;
+    for (std::size_t i = 0; i < set.causes.effects.size(); ++i) {
+        const Effect& effect = *set.causes.effects[i];
+        const EffectForm& form = *set.causes.forms[i];
+        const Eigen::VectorXd own = set.of_member(i);
+        for (const auto& simpler : effect.forms) {
+            const auto gone = lacking(form, simpler);
+            if (!gone || form.own > 0 || !Candidate{{&effect}, {&simpler}, set.causes.records}.applies(fitter_.joint()))
+                continue;
+            const auto at = static_cast<Eigen::Index>(*gone);
+            const auto& number = form.parameters[*gone];
+            if (!at_bound(number, number.logarithmic ? std::exp(own[at]) : own[at])) continue;
+            Eigen::VectorXd rest(own.size() - 1);
+            rest << own.head(at), own.tail(own.size() - at - 1);
+            const FittedSet others = unfitted_without(set, i);
+            Candidate causes = others.causes;
+            const Eigen::VectorXd x = insert(causes, &effect, &simpler, others.of_causes(others.fit.x), rest);
+            starts.push_back({causes, nullptr, nullptr, {}, 0, fitter_.start(causes, set, x)});
+        }
+    }
+    return starts;
 }
 
 std::vector<Start> Climber::with_flexible_member(const FittedSet& set, std::size_t member) const

@@ -42,7 +42,7 @@ struct KindOf : Surround {
     static constexpr Terms motor = form.motor, link = form.link;
     using MotorTerms = KnownTerms<form.motor>;
     using LinkTerms = KnownTerms<form.link>;
-    explicit KindOf(const Kind& kind) : Surround(kind) {}
+    explicit KindOf(const Surround& surround) : Surround(surround) {}
 };
 
 inline Kind kind_of(const Plant& p)

@@ -150,6 +150,38 @@ bool has_a_double(const Findings& f)
     });
 }
 
+/// Climbs beside corrections, with pairs where one cause leaves what is worth their search. A pair may be accepted as
+/// it is, unless what was accepted has been refused.
+void climb_ladder(const Prepared& p, const Fit& fit, const LadderRules& rules, std::size_t pair_partners, int runs,
+                  StageMeter& meter, Findings& f)
+{
+    meter.begin(DiagnosisStage::correcting_numbers);
+    LadderSearch search(fit, f.singles, rules);
+    const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
+    f.judged = {};
+    f.judged.ladder = search.climb({}, 1);
+    judge(f.judged, search.data(), fit);
+    f.climbed = f.by_ladder = true;
+    if (!f.judged.noise_left) {
+        const Shares& s = f.judged.shares;
+        const double left = s.rungs.empty() ? s.base : s.rungs[0];
+        const bool nothing_alone = s.rungs.empty() && !f.judged.only_corrections;
+        if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
+            meter.begin(DiagnosisStage::fitting_pairs);
+            fit_pair(fit, pair_partners, f);
+            f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
+            if (f.why_not) f.decision.named = false;
+        }
+        if (!accepted(f.decision)) {
+            meter.begin(DiagnosisStage::climbing_ladder);
+            f.judged = {};
+            f.judged.ladder = search.climb(f.pairs, rules.most_rungs, only_noise);
+            judge(f.judged, search.data(), fit);
+        }
+    }
+    if (!accepted(f.decision)) settle(search, fit, {f.pairs, only_noise, p.documented, runs}, f.judged);
+}
+
 }  // namespace
 
 void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& meter, const ParallelFor& parallel,
@@ -170,39 +202,20 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& m
         confirm(fit, f.pairs);
     }
     f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
-    if (!accepted(f.decision) || has_a_double(f)) {
-        meter.begin(DiagnosisStage::correcting_numbers);
-        LadderSearch search(fit, f.singles, rules);
-        const auto only_noise = [&](const FittedSet& set) { return leaves_noise(fit, set); };
-        f.judged.ladder = search.climb({}, 1);
-        judge(f.judged, search.data(), fit);
-        f.climbed = f.by_ladder = true;
-        if (!f.judged.noise_left) {
-            const Shares& s = f.judged.shares;
-            const double left = s.rungs.empty() ? s.base : s.rungs[0];
-            const bool nothing_alone = s.rungs.empty() && !f.judged.only_corrections;
-            if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
-                meter.begin(DiagnosisStage::fitting_pairs);
-                fit_pair(fit, pair_partners, f);
-                f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
-            }
-            if (!accepted(f.decision)) {
-                meter.begin(DiagnosisStage::climbing_ladder);
-                f.judged = {};
-                f.judged.ladder = search.climb(f.pairs, rules.most_rungs, only_noise);
-                judge(f.judged, search.data(), fit);
-            }
-        }
-        if (!accepted(f.decision)) settle(search, fit, {f.pairs, only_noise, p.documented, runs}, f.judged);
-    }
+    if (!accepted(f.decision) || has_a_double(f)) climb_ladder(p, fit, rules, pair_partners, runs, meter, f);
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         const std::vector<Attribution> none;
         LadderSearch search(fit, none, rules);
         if (document_suffices(search, fit, p.documented, runs, f)) return;
         f.by_ladder = false;
         hold_against_free_forces(fit, meter, f);
-        f.judged = {};
-        note_accepted(search, fit, f);
+        // a free force takes the small errors of every document along: beside their corrections it may be no better
+        if (f.decision.named) {
+            f.judged = {};
+            note_accepted(search, fit, f);
+        } else {
+            climb_ladder(p, fit, rules, pair_partners, runs, meter, f);
+        }
     }
     if (f.by_ladder) hold_ladder_against_free_forces(fit, meter, f);
     if (f.by_ladder) f.why_not = f.judged.why_not;

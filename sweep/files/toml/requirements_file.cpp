@@ -87,9 +87,8 @@ Coordinate coordinate_from(const Joint& joint, const std::string& text)
 {
     const auto minus = text.find(" - ");
     Coordinate c{trimmed(text.substr(0, minus)), minus == std::string::npos ? "" : trimmed(text.substr(minus + 3))};
-    Joint copy = joint;
     for (const auto& path : {c.path, c.less})
-        if (!path.empty() && !find_parameter(copy, path))
+        if (!path.empty() && !find_parameter(joint, path))
             throw BadInput(fmt::format("{}: is not a parameter of this joint{}", path,
                                        files::did_you_mean(path, files::numeric_paths(joint))));
     if (std::isnan(value_of(joint, c)))

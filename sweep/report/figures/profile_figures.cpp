@@ -23,6 +23,12 @@ constexpr OutcomeKind outcome_kinds[] = {
     {"stick_fraction", "rest", "Share of the period spent sticking",
      "Share of each cycle at rest or below a hundredth of V_{0}."}};
 
+void mark_design(const Joint& joint, const Axis& axis, LineChart& chart)
+{
+    const double own = *find_parameter(joint, axis.path);
+    if (own >= axis.values.front() && own <= axis.values.back()) chart.x_marks.emplace_back("design", own);
+}
+
 }  // namespace
 
 Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileAnswer& answer)
@@ -36,9 +42,7 @@ Figure profile_figure(const Joint& joint, const Profile& profile, const ProfileA
     chart.x_log = axis.log;
     chart.lines.push_back({"with memory", axis.values, profile.abscissa});
     chart.lines.push_back({"velocity-only model", axis.values, answer.velocity_only_abscissa, true});
-    Joint design = joint;
-    if (const double own = *find_parameter(design, axis.path); own >= axis.values.front() && own <= axis.values.back())
-        chart.x_marks.emplace_back("design", own);
+    mark_design(joint, axis, chart);
     std::string crossings, simple;
     for (const auto& point : answer.memory) {
         chart.x_marks.emplace_back(with_unit(point.value, axis.quantity, units, 4), point.value);
@@ -78,10 +82,7 @@ std::vector<Figure> outcome_profiles(const Joint& joint, const Profile& profile)
                                                                  : axis_label(reading.name, reading.quantity, units);
             chart.x_log = axis.log;
             chart.lines.push_back({reading.name, axis.values, values});
-            Joint design = joint;
-            if (const double own = *find_parameter(design, axis.path);
-                own >= axis.values.front() && own <= axis.values.back())
-                chart.x_marks.emplace_back("design", own);
+            mark_design(joint, axis, chart);
             double low = infinity, high = -infinity;
             for (const double v : values)
                 if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);

@@ -373,6 +373,20 @@ TEST_CASE("a dead zone that no document tells is found without a logged command,
     CHECK(d.effects[0].parameters[0].value == Approx(m.dead_zone).epsilon(0.02));
 }
 
+TEST_CASE("beside the small errors of a document a free force is no better than the cause", "[gap][slow]")
+{
+    Machine m;
+    m.viscous = 8, m.coulomb = 2 * 0.9, m.one_way = 0.04, m.peak = 0.06;
+    m.noise = 1.6e-4;  // all but hides them: the cause alone is accepted
+    Joint documented = nominal_joint();
+    documented.sensor.position_noise = m.noise;
+    DiagnosisOptions options;
+    options.ensemble = 4;
+    const auto d = test::answer(documented, records_of(m), test::in_order, options).diagnosis;
+    REQUIRE(d.verdict == Verdict::gap);
+    CHECK(d.effects[0].names == std::vector<std::string>{"viscous"});
+}
+
 TEST_CASE("on a straight guide a constant force is a load, not gravity of a lever", "[gap]")
 {
     const Effect& gravity = *effect_named("gravity");

@@ -14,9 +14,10 @@ void add_divided_mass(Effect& e)
         {"motor_share", Quantity::number, Scale::one, false, 0.02, 0.98, 0.5, "share of the inertia on the motor side"},
         {"stiffness", Quantity::stiffness, Scale::stiffness, true, 0.3, 1e6, 100, "transmission stiffness"},
         {"link_friction", Quantity::number, Scale::one, false, 0, 1, 0.3, "share of the friction on the link side"},
-        {"damping_ratio", Quantity::number, Scale::one, true, 1e-2, 10, 0.2, "damping ratio of the closed contact"},
+        {"damping_ratio", Quantity::number, Scale::one, true, 1e-2, 100, 0.2, "damping ratio of the closed contact"},
     };
-    f.parameters[2].meanwhile = 2e4;  // a contact is stiff
+    f.parameters[2].meanwhile = 2e4;    // a contact is stiff
+    f.parameters[4].open_above = true;  // grease keeps flanks from bouncing; more of it does not keep them more
     f.apply = [](Joint& j, const double* p) {
         divide_mass(j, p[1], p[2], p[4], p[3]);
         j.mechanism.transmission.backlash = p[0];

@@ -87,6 +87,7 @@ struct EffectParameter {
     bool factor = false;         ///< on a documented number: 1 changes nothing
     bool size = false;           ///< how large the effect is; of forms without one the first parameter is
     double meanwhile = not_set;  ///< in units of `scale`, while the size varies; not set: `prior`, or in proportion
+    bool open_above = false;     ///< beyond `high` it does what it does there: that end is no bound
 };
 
 /// A form of the catalogue by its names.

@@ -8,10 +8,22 @@
 
 namespace stickslip::gap {
 
+namespace {
+
+/// All of the friction may act on the link, all of the inertia behind the gear.
+bool is_part_of_a_whole(const EffectParameter& p)
+{
+    return p.scale == Scale::one && !p.logarithmic && p.low == 0 && p.high == 1;
+}
+
+}  // namespace
+
 bool at_bound(const EffectParameter& p, double scaled)
 {
+    if (is_part_of_a_whole(p)) return false;
     // an additive number may well be nothing; a factor or a size at its least is not what the name means
-    const bool above = scaled > p.high * (p.high > 0 ? 1 - policy::beside_bound : 1 + policy::beside_bound);
+    const bool above =
+        !p.open_above && scaled > p.high * (p.high > 0 ? 1 - policy::beside_bound : 1 + policy::beside_bound);
     return above || (p.logarithmic && scaled < p.low * (1 + policy::beside_bound)) ||
            (!p.logarithmic && p.low < 0 && scaled < p.low * (1 - policy::beside_bound));
 }

@@ -1,6 +1,8 @@
-// Which forms of a cause a ladder tries: without a number that stands at its bound, and only what records can show.
+// Which forms of a cause a ladder tries, without a number that stands at its bound and only what records can show, and
+// which numbers may stand there.
 #include "analysis/diagnosis/fit/joint_edits.h"
 #include "analysis/diagnosis/ladder/climber.h"
+#include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/ladder.h"
 #include "tests/analysis/diagnosis/ladder_search.h"
 #include "tests/in_order.h"
@@ -65,4 +67,20 @@ TEST_CASE("without a measured effort a back-EMF that is off is viscous friction"
     const auto looks = climber.looks(fitter.fit({}, fitter.start({}, {}, {})));
     REQUIRE(looks.size() == 1);
     CHECK(looks[0].form->name != "back-emf");
+}
+
+TEST_CASE("a part of a whole may be all of it, a number of the search not", "[gap][ladder]")
+{
+    const auto number = [](const char* effect, std::string_view form, std::string_view name) {
+        const auto& forms = effect_named(effect)->forms;
+        const auto& numbers = std::ranges::find(forms, form, &EffectForm::name)->parameters;
+        return *std::ranges::find(numbers, name, &EffectParameter::name);
+    };
+    CHECK_FALSE(at_bound(number("load-dependent-friction", "gear", "beyond"), 1));
+    CHECK_FALSE(at_bound(number("compliance", "divided-mass", "link_friction"), 1));
+    CHECK_FALSE(at_bound(number("compliance", "divided-mass", "link_friction"), 0));
+    CHECK(at_bound(number("compliance", "divided-mass", "motor_share"), 0.98));
+    const auto damping = number("backlash", "divided-mass", "damping_ratio");
+    CHECK_FALSE(at_bound(damping, damping.high));
+    CHECK(at_bound(damping, damping.low));
 }

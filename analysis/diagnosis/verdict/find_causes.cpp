@@ -3,6 +3,7 @@
 #include "analysis/diagnosis/fit/candidate_numbers.h"
 #include "analysis/diagnosis/fit/jumps.h"
 #include "analysis/diagnosis/heldout/heldout.h"
+#include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/ladder.h"
 #include "analysis/diagnosis/policy/ladder_verdict.h"
 #include "analysis/diagnosis/policy/search.h"
@@ -39,6 +40,19 @@ void fit_pair(const Fit& fit, std::size_t pair_partners, Findings& f)
     confirm(fit, f.pairs);
     fit_members_alone(fit, f.singles, f.pairs);
     confirm(fit, f.singles);
+}
+
+/// What is accepted as it is. A cause that needs a number that no joint has, such as a wave longer than its record, is
+/// not: beside corrections another one may do without.
+Decision decided(const Prepared& p, const Findings& f)
+{
+    Decision d = decide(f.singles, f.pairs, rows_of(p.cases));
+    if (d.named &&
+        !plausible(d.winner->candidate, d.winner->x[ladder_level], p.scales, p.cases[0].joint, policy::ladder.ranges)) {
+        d.named = false;
+        d.ambiguous.clear();
+    }
+    return d;
 }
 
 /// The best cause against unmodelled forces: where one of them is clearly better, it is only the nearest in shape.
@@ -169,7 +183,7 @@ void climb_ladder(const Prepared& p, const Fit& fit, const LadderRules& rules, s
         if (nothing_alone || left - s.explainable_to > policy::worth_a_search_of_pairs * s.base) {
             meter.begin(DiagnosisStage::fitting_pairs);
             fit_pair(fit, pair_partners, f);
-            f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
+            f.decision = decided(p, f);
             if (f.why_not) f.decision.named = false;
         }
         if (!accepted(f.decision)) {
@@ -201,7 +215,7 @@ void find_causes(Prepared& p, std::size_t pair_partners, int runs, StageMeter& m
         f.pairs = fit_parts(fit, f.singles);
         confirm(fit, f.pairs);
     }
-    f.decision = decide(f.singles, f.pairs, rows_of(p.cases));
+    f.decision = decided(p, f);
     if (!accepted(f.decision) || has_a_double(f)) climb_ladder(p, fit, rules, pair_partners, runs, meter, f);
     if (accepted(f.decision) && !(f.by_ladder && f.judged.noise_left)) {
         const std::vector<Attribution> none;

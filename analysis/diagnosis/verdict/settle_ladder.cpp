@@ -62,6 +62,15 @@ bool may_take_nothing(const JudgedLadder& j)
     return share_between(j.ladder.documented, below, with).low <= 0;
 }
 
+/// Whether the last of several rungs takes next to nothing of the whole gap.
+bool takes_next_to_nothing(const JudgedLadder& j)
+{
+    const auto& rungs = j.ladder.rungs;
+    if (j.noise_left || rungs.size() < 2 || frees_held_number(j.ladder)) return false;
+    const double taken = beyond_noise(rungs[rungs.size() - 2].all_left()) - beyond_noise(rungs.back().all_left());
+    return taken < policy::least_of_further_rung * beyond_noise(j.ladder.documented);
+}
+
 /// Rungs that are small against the corrections go, those that may as well be nothing, and further ones that are less
 /// likely than not, the last first. A small term of every machine goes among the corrections, or what it leaves would
 /// count against the causes.
@@ -79,7 +88,7 @@ void shorten_to_likely(LadderSearch& search, const Fit& fit, const std::vector<A
     while (const Effect* small = small_term_between(j))
         judge_in_place(search.without(j.ladder, *small), search, fit, true, j, small);
     while (small_against_corrections(j) || unlikely() || corrections_alone() || may_take_nothing(j) ||
-           is_nothing_within_error(j, fit)) {
+           takes_next_to_nothing(j) || is_nothing_within_error(j, fit)) {
         if (auto anew =
                 small_against_corrections(j) ? search.with_small_term(j.ladder, pairs, only_noise) : std::nullopt) {
             judge_in_place(std::move(*anew), search, fit, true, j);

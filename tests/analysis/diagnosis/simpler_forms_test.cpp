@@ -4,6 +4,7 @@
 #include "analysis/diagnosis/ladder/climber.h"
 #include "analysis/diagnosis/ladder/plausible.h"
 #include "analysis/diagnosis/policy/ladder.h"
+#include "tests/analysis/diagnosis/answers.h"
 #include "tests/analysis/diagnosis/ladder_search.h"
 #include "tests/in_order.h"
 
@@ -83,4 +84,17 @@ TEST_CASE("a part of a whole may be all of it, a number of the search not", "[ga
     const auto damping = number("backlash", "divided-mass", "damping_ratio");
     CHECK_FALSE(at_bound(damping, damping.high));
     CHECK(at_bound(damping, damping.low));
+}
+
+TEST_CASE("a force that comes and goes once in a record is no periodic one, even where it explains all", "[gap][slow]")
+{
+    Machine m;
+    m.swing = 1.2, m.swing_period = 4.5;  // of 6 s
+    const std::vector<Record> records{test::record_of(m, 1), test::record_of(m, 2)};
+    DiagnosisOptions options;
+    options.ensemble = 2;
+    const auto d = test::answer(test::nominal_joint(), records, test::in_order, options).diagnosis;
+    REQUIRE_FALSE(d.verdict == Verdict::no_gap);
+    const bool named = d.verdict == Verdict::gap && std::ranges::count(d.effects.at(0).names, "periodic-disturbance");
+    CHECK_FALSE(named);
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace stickslip::test {
@@ -36,6 +37,8 @@ struct Machine {
     double pushed_from = 0.01;    ///< m/s
     double ripple = 0;            ///< N, of the Coulomb level over the position
     double cogging = 0;           ///< N
+    double swing = 0;             ///< N: a force that comes and goes with the time
+    double swing_period = 1;      ///< s
     double peak = 0;              ///< N: friction falls from this much above its level as 1/(1 + (v/peak_velocity)²)
     double peak_velocity = 0.02;  ///< m/s
     double waves = 200;           ///< rad/m, of both
@@ -100,7 +103,8 @@ inline void step(const Machine& m, MachineState& s, double u, double t, double h
     hung_at += h * hung_speed;
     const double push = std::clamp(m.gain * u, -m.limit, m.limit) + spring + m.load -
                         m.gravity * std::sin(q + m.gravity_angle) - m.cubic * q * q * q - m.bellows * followed +
-                        m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1));
+                        m.cogging * (std::sin(m.waves * q) + m.second * std::sin(2 * m.waves * q + 1)) +
+                        m.swing * std::sin(2 * std::numbers::pi * t / m.swing_period);
     const double fast = v / m.peak_velocity;
     const double level = m.coulomb + m.ripple * std::cos(1.3 * m.waves * q) + m.peak / (1 + fast * fast);
     if (std::abs(v) < band && std::abs(push) <= level) {
